@@ -1,0 +1,21 @@
+# CUDA is no Debian package: asked for and absent, it is skipped, and said so.
+option(ENFILADE_CUDA "Compile the device code with nvcc, where there is one" OFF)
+set(ENFILADE_HAVE_CUDA OFF)
+if(ENFILADE_CUDA)
+  include(CheckLanguage)
+  check_language(CUDA)
+  if(CMAKE_CUDA_COMPILER)
+    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90)
+    endif()
+    enable_language(CUDA)
+    set(CMAKE_CUDA_STANDARD 20)
+    set(CMAKE_CUDA_STANDARD_REQUIRED ON)
+    set(ENFILADE_HAVE_CUDA ON)
+    # The same rounding as on the host (1-architecture, decision 9); constexpr std calls on the device; GLM's warning.
+    target_compile_options(enfilade_options INTERFACE
+      $<$<COMPILE_LANGUAGE:CUDA>:--fmad=false --expt-relaxed-constexpr -diag-suppress 20012>)
+  else()
+    message(STATUS "CUDA: skipped, no nvcc on this machine")
+  endif()
+endif()

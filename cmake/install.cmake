@@ -1,0 +1,40 @@
+# Installs the libraries, their headers, the program, and the files by which find_package(enfilade) finds them.
+include(CMakePackageConfigHelpers)
+
+set(installed enfilade_options)
+foreach(folder IN LISTS folders)
+  if(TARGET enfilade_${folder})
+    list(APPEND installed enfilade_${folder})
+    set_target_properties(enfilade_${folder} PROPERTIES EXPORT_NAME ${folder})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/enfilade
+      FILES_MATCHING PATTERN "*.h")
+  endif()
+endforeach()
+set_target_properties(enfilade_options PROPERTIES EXPORT_NAME options)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/base DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/enfilade FILES_MATCHING PATTERN "*.h")
+install(TARGETS ${installed} EXPORT enfilade
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET enfilade)
+  install(TARGETS enfilade RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+# Static libraries hand on what they link: whoever links ours needs these packages as well.
+set(ENFILADE_DEPENDENCIES "")
+get_property(found GLOBAL PROPERTY PACKAGES_FOUND)
+foreach(package IN ITEMS Threads CGAL OpenMesh TBB OpenImageIO embree assimp pugixml libzip glm nlohmann_json HWY)
+  if(package IN_LIST found)
+    if(package STREQUAL "OpenMesh")
+      string(APPEND ENFILADE_DEPENDENCIES "find_dependency(OpenMesh CONFIG)\n")  # after CGAL the plain call fails
+    else()
+      string(APPEND ENFILADE_DEPENDENCIES "find_dependency(${package})\n")
+    endif()
+  endif()
+endforeach()
+
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/enfilade)
+install(EXPORT enfilade NAMESPACE enfilade:: FILE enfiladeTargets.cmake DESTINATION ${config_folder})
+configure_package_config_file(cmake/enfiladeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/enfiladeConfig.cmake
+  INSTALL_DESTINATION ${config_folder})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/enfiladeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/enfiladeConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/enfiladeConfigVersion.cmake
+  DESTINATION ${config_folder})
