@@ -21,7 +21,7 @@ endif()
 # Static libraries hand on what they link: whoever links ours needs these packages as well.
 set(ENFILADE_DEPENDENCIES "")
 get_property(found GLOBAL PROPERTY PACKAGES_FOUND)
-foreach(package IN ITEMS Threads CGAL OpenMesh TBB OpenImageIO embree assimp pugixml libzip glm nlohmann_json HWY)
+foreach(package IN ITEMS Threads CGAL OpenMesh TBB OpenImageIO embree assimp pugixml glm nlohmann_json HWY)
   if(package IN_LIST found)
     if(package STREQUAL "OpenMesh")
       string(APPEND ENFILADE_DEPENDENCIES "find_dependency(OpenMesh CONFIG)\n")  # after CGAL the plain call fails
@@ -30,6 +30,11 @@ foreach(package IN ITEMS Threads CGAL OpenMesh TBB OpenImageIO embree assimp pug
     endif()
   endif()
 endforeach()
+# Where CMake's own files of a package ask for more than the library, it comes by pkg-config.
+if(libzip_FOUND)
+  string(APPEND ENFILADE_DEPENDENCIES "find_dependency(PkgConfig)\n"
+    "pkg_check_modules(libzip REQUIRED QUIET IMPORTED_TARGET libzip)\n")
+endif()
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/enfilade)
 install(EXPORT enfilade NAMESPACE enfilade:: FILE enfiladeTargets.cmake DESTINATION ${config_folder})

@@ -1,0 +1,91 @@
+#pragma once
+// The subcommands of `enfilade`: the options of each, and the function that runs it and returns the exit code
+// (exit_code.h). They throw InputError and IoError; main.cpp reads the flags and prints what they throw.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/console.h"
+
+namespace enfilade::tools {
+
+struct ImportOptions {
+    std::filesystem::path plan;
+    std::filesystem::path output;
+    bool strict = false;
+};
+int run_import(const ImportOptions& options, const Console& console);
+
+struct GenerateCommandOptions {
+    std::uint32_t rooms = 46;
+    std::uint32_t storeys = 1;
+    double curved = 0;
+    double oblique = 0;
+    std::uint64_t seed = 1;
+    std::filesystem::path output;
+};
+int run_generate(const GenerateCommandOptions& options, const Console& console);
+
+/// How a plan becomes a model: the flags that `build` and `check` share.
+struct ModelOptions {
+    std::vector<std::uint32_t> storeys;
+    std::optional<double> snap_mm;
+    std::optional<double> sagitta_mm;
+    bool opaque_glass = false;
+};
+
+struct BuildCommandOptions {
+    std::filesystem::path plan;
+    std::filesystem::path output;
+    std::filesystem::path report;  ///< .json or .txt; empty: none
+    ModelOptions model;
+    bool keep_going = false;
+    bool strict = false;
+};
+int run_build(const BuildCommandOptions& options, const Console& console);
+
+struct CheckOptions {
+    std::filesystem::path input;  ///< a plan or a scene
+    ModelOptions model;
+    bool strict = false;
+};
+int run_check(const CheckOptions& options, const Console& console);
+
+struct InfoOptions {
+    std::filesystem::path scene;
+};
+int run_info(const InfoOptions& options, const Console& console);
+
+struct RenderOptions {
+    std::filesystem::path scene;
+    std::filesystem::path output;
+    std::string camera;  ///< empty: chosen by `room`, or the whole building
+    std::string room;
+    std::string size = "1024x1024";
+    std::string tracer = "scalar";
+    double fov_deg = 0;  ///< 0: the view's own
+    std::uint32_t samples = 1;
+    std::uint32_t threads = 0;  ///< 0: all
+};
+int run_render(const RenderOptions& options, const Console& console);
+
+struct ExportOptions {
+    std::filesystem::path scene;
+    std::filesystem::path output;
+};
+int run_export(const ExportOptions& options, const Console& console);
+
+struct BenchOptions {
+    std::string name;
+    bool quick = false;
+    bool strict = false;
+    std::filesystem::path json;  ///< empty: none
+};
+int run_bench(const BenchOptions& options, const Console& console);
+/// The names that `bench` takes, each with its sentence.
+[[nodiscard]] std::string bench_list();
+
+}  // namespace enfilade::tools
