@@ -1,0 +1,63 @@
+#include "plans/read.h"
+
+#include <fstream>
+
+#include "base/error.h"
+
+namespace enfilade::plans {
+namespace {
+
+constexpr std::uintmax_t max_file_bytes = std::uintmax_t{4} << 30;
+
+std::string read_bytes(const std::filesystem::path& file) {
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error))
+        throw IoError("The plan " + file.string() + " is a folder; name a file in it.");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw IoError("The plan " + file.string() + " cannot be opened; check its name and its permissions.");
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (!error && size > max_file_bytes)
+        throw InputError("P108", file.string(), "The file is larger than 4 GiB, which no plan needs.");
+    std::string bytes;
+    if (!error) bytes.reserve(size);
+    char block[1 << 16];
+    while (stream.read(block, sizeof block) || stream.gcount() > 0) {
+        bytes.append(block, static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > max_file_bytes)
+            throw InputError("P108", file.string(), "The file is larger than 4 GiB, which no plan needs.");
+    }
+    if (stream.bad()) throw IoError("Reading the plan " + file.string() + " failed half way.");
+    return bytes;
+}
+
+bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06"); }
+
+/// Our JSON begins with a bracket or a comment, after a byte order mark and space.
+bool looks_like_json(std::string_view bytes) {
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return false;
+    const std::string_view rest = bytes.substr(first);
+    return rest.starts_with("{") || rest.starts_with("//") || rest.starts_with("/*");
+}
+
+/// What the file seems to be, for the refusal.
+std::string guess(std::string_view bytes) {
+    if (bytes.empty()) return "The file is empty";
+    if (bytes.starts_with("<") || bytes.starts_with("\xEF\xBB\xBF<")) return "This is an XML file, not a plan";
+    if (bytes.starts_with("ISO-10303-21")) return "IFC files are not read yet";
+    if (bytes.find("SECTION") < 64 || bytes.starts_with("AutoCAD")) return "DXF drawings are not read yet";
+    return "This is no plan in a known format";
+}
+
+}  // namespace
+
+Plan read(const std::filesystem::path& file) {
+    const std::string bytes = read_bytes(file);
+    if (is_zip(bytes)) return read_sweet_home(std::as_bytes(std::span(bytes)), file.string());
+    if (looks_like_json(bytes)) return read_json(bytes, file.string());
+    throw InputError("P109", file.string(),
+                     guess(bytes) + "; the formats known are Enfilade's own JSON and Sweet Home 3D homes (.sh3d).");
+}
+
+}  // namespace enfilade::plans
