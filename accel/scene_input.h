@@ -33,8 +33,8 @@ struct InputSection {
 /// A convex vertical prism. Sections run counter-clockwise seen from above.
 struct InputCell {
     Label label = Label::Room;
-    std::uint32_t space = 0;  ///< into `spaces`
-    std::uint32_t volume = 0; ///< id of its volume in the map
+    std::uint32_t space = 0;   ///< into `spaces`
+    std::uint32_t volume = 0;  ///< id of its volume in the map
     std::int32_t z_floor = 0;
     std::int32_t z_ceiling = 0;
     std::uint32_t first_section = 0;  ///< into `sections`; ends where the next cell's begin
@@ -53,8 +53,8 @@ struct InputPortal {
 /// A flat solid face as it was before convexification: the ring runs counter-clockwise seen from the light side.
 struct InputSourceFace {
     Surface surface = Surface::WallPaper;
-    std::uint32_t space = 0;     ///< the space that sees it
-    std::uint32_t material = 0;  ///< into `materials`
+    std::uint32_t space = 0;         ///< the space that sees it
+    std::uint32_t material = 0;      ///< into `materials`
     std::uint32_t first_vertex = 0;  ///< into `vertices`; ends where the next face's begin
 };
 
@@ -68,14 +68,14 @@ struct InputSpace {
     Label label = Label::Room;
     std::string id;
     std::string name;
-    std::string storey;       ///< id of the storey, empty for the exterior
+    std::string storey;  ///< id of the storey, empty for the exterior
     std::uint32_t storey_index = UINT32_MAX;
     double area_m2 = 0;
 };
 
 /// An array that travels in the file for `modeler` and is opaque to `accel`.
 struct InputModelArray {
-    std::string name;               ///< at most 15 characters
+    std::string name;  ///< at most 15 characters
     std::uint32_t element_bytes = 1;
     std::vector<std::byte> bytes;
 };
@@ -83,14 +83,14 @@ struct InputModelArray {
 /// What `check` said of the model that is exported (1-architecture, decision 7).
 struct InputCertificate {
     std::string program_version;
-    std::string options;  ///< the options of the build, as JSON
+    std::string options;                                             ///< the options of the build, as JSON
     std::vector<std::pair<std::string, std::uint64_t>> code_counts;  ///< checked codes and how many findings each had
 };
 
 struct SceneInput {
-    double unit = 1.0 / 8192;                    ///< metres per grid unit
-    std::array<double, 3> origin = {0, 0, 0};    ///< world position of grid point (0, 0, 0), metres
-    std::vector<InputCell> cells;                ///< in ascending volume id
+    double unit = 1.0 / 8192;                  ///< metres per grid unit
+    std::array<double, 3> origin = {0, 0, 0};  ///< world position of grid point (0, 0, 0), metres
+    std::vector<InputCell> cells;              ///< in ascending volume id
     std::vector<InputSection> sections;
     std::vector<InputSideFace> side_faces;
     std::vector<InputPortal> portals;
@@ -98,7 +98,7 @@ struct SceneInput {
     std::vector<std::array<std::int32_t, 3>> vertices;  ///< of source faces, grid units
     std::vector<InputMaterial> materials;
     std::vector<InputSpace> spaces;
-    std::vector<InputModelArray> model;          ///< empty: a stripped scene
+    std::vector<InputModelArray> model;  ///< empty: a stripped scene
     InputCertificate certificate;
 };
 

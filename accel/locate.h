@@ -1,0 +1,20 @@
+#pragma once
+// Which cell a point lies in.
+
+#include <array>
+#include <optional>
+
+#include "accel/scene.h"
+
+namespace enfilade::accel {
+
+/// The cell that holds `point` (metres, scene frame), or nothing inside walls and beyond the site.
+/// Points on a border belong to the cell that holds point + (-e^2, -e^3, +e) for a vanishing e: the same virtual shift
+/// by which the walk breaks its ties, so exactly one cell holds each point. Exact for points on the grid (the products
+/// fit in a double's 53 bits). Cost: log n.
+[[nodiscard]] std::optional<CellId> locate(const SceneView& view, const std::array<double, 3>& point);
+
+/// Whether that one cell holds the point, by the same rule.
+[[nodiscard]] bool contains(const SceneView& view, CellId cell, const std::array<double, 3>& point);
+
+}  // namespace enfilade::accel
