@@ -1,0 +1,70 @@
+#include "tools/check_report.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "tools/findings_text.h"
+#include "tools/output_file.h"
+#include "tools/version.h"
+
+namespace enfilade::tools {
+
+namespace {
+/// How many findings each code has, the checked codes without any included.
+std::map<std::string, std::size_t> code_counts(const modeler::CheckReport& report) {
+    std::map<std::string, std::size_t> counts;
+    for (const std::string& code : report.codes_checked) counts[code] = 0;
+    for (const Finding& finding : report.findings) ++counts[finding.code];
+    return counts;
+}
+
+bool is_certified(const ReportSubject& subject) {
+    return subject.certificate.empty() || subject.certificate == "certified";
+}
+}  // namespace
+
+bool has_defects(const modeler::CheckReport& report, bool strict) {
+    return has_errors(report.findings) || (strict && count(report.findings)[Severity::Warning] > 0);
+}
+
+std::string report_text(const ReportSubject& subject, const modeler::CheckReport& report, std::size_t limit) {
+    std::string text = findings_text(report.findings, limit);
+    std::string checked;
+    for (const std::string& code : report.codes_checked) checked += ' ' + code;
+    text += "Checked:" + checked + '\n';
+    if (report.suppressed > 0)
+        text += counted(report.suppressed, "further finding") + " at cells that are already blamed left out.\n";
+    text += subject.input + ": " + (has_errors(report.findings) ? "not sound" : "sound") + ", " +
+            counts_text(report.findings);
+    if (!subject.certificate.empty()) text += "; " + subject.certificate;
+    return text + ".\n";
+}
+
+nlohmann::ordered_json report_json(const ReportSubject& subject, const modeler::CheckReport& report) {
+    const SeverityCounts counts = count(report.findings);
+    nlohmann::ordered_json json = {{"program", "enfilade"}, {"version", version}, {"input", subject.input}};
+    json["sound"] = !has_errors(report.findings) && is_certified(subject);
+    json["certificate"] = nullptr;
+    if (!subject.certificate.empty()) json["certificate"] = subject.certificate;
+    json["counts"] = {
+        {"error", counts[Severity::Error]}, {"warning", counts[Severity::Warning]}, {"note", counts[Severity::Note]}};
+    json["codes_checked"] = report.codes_checked;
+    json["code_counts"] = nlohmann::ordered_json::object();
+    for (const auto& [code, number] : code_counts(report)) json["code_counts"][code] = number;
+    json["suppressed"] = report.suppressed;
+    json["findings"] = findings_json(report.findings);
+    return json;
+}
+
+std::string dump(const nlohmann::ordered_json& json) {
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+void write_report(const std::filesystem::path& file, const ReportSubject& subject, const modeler::CheckReport& report) {
+    if (file.extension() == ".json") write_text(file, dump(report_json(subject, report)));
+    else if (file.extension() == ".txt") write_text(file, report_text(subject, report));
+    else throw InputError("F104", file.string(), "A report is written as .json or as .txt: end its name so.");
+}
+
+}  // namespace enfilade::tools

@@ -1,0 +1,87 @@
+#include <nlohmann/json.hpp>
+
+#include "accel/scene_file.h"
+#include "base/error.h"
+#include "modeler/export_scene.h"
+#include "plans/read.h"
+#include "tools/bench.h"
+#include "tools/check_report.h"
+#include "tools/commands.h"
+#include "tools/exit_code.h"
+#include "tools/findings_text.h"
+#include "tools/model.h"
+#include "tools/scene_summary.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+constexpr std::size_t shown_findings = 20;  ///< of each severity; all with --report and with `check`
+
+struct Built {
+    Modelled modelled;
+    accel::Scene scene;
+    double seconds = 0;
+};
+
+Built build_scene(const BuildCommandOptions& options, const Console& console) {
+    std::vector<std::string> steps = {"Reading the plan"};
+    steps.insert(steps.end(), model_steps.begin(), model_steps.end());
+    steps.insert(steps.end(), {"Laying out the scene", "Writing"});
+    Progress progress(console, std::move(steps));
+    Built built;
+    built.seconds = seconds_of([&] {
+        const plans::Plan plan = plans::read(options.plan);
+        progress.next();
+        built.modelled = model(plan, options.model, progress);
+        progress.next();
+        if (has_defects(built.modelled.report, options.strict) && !options.keep_going) return;
+        built.scene =
+            modeler::export_scene(built.modelled.building, built.modelled.report, built.modelled.options_json);
+        progress.next();
+        accel::write(built.scene, options.output);
+    });
+    return built;
+}
+
+std::string result_json(const BuildCommandOptions& options, const Built& built, bool written) {
+    nlohmann::ordered_json json = {{"command", "build"}, {"input", options.plan.string()}};
+    json["output"] = nullptr;
+    if (written) json["output"] = options.output.string();
+    json["seconds"] = built.seconds;
+    json["options"] = nlohmann::ordered_json::parse(built.modelled.options_json);
+    json["volumes"] = built.modelled.building.volumes.size();
+    json["darts"] = built.modelled.building.map.dart_count();
+    json["scene"] = nullptr;
+    if (written) json["scene"] = scene_counts_json(scene_counts(built.scene));
+    json["check"] = report_json({options.plan.string(), ""}, built.modelled.report);
+    return dump(json);
+}
+
+}  // namespace
+
+int run_build(const BuildCommandOptions& options, const Console& console) {
+    if (!options.report.empty() && options.report.extension() != ".json" && options.report.extension() != ".txt")
+        throw InputError("F104", options.report.string(), "A report is written as .json or as .txt: end its name so.");
+    const Built built = build_scene(options, console);
+    const modeler::CheckReport& report = built.modelled.report;
+    const ReportSubject subject{options.plan.string(), ""};
+    if (!options.report.empty()) write_report(options.report, subject, report);
+
+    const bool defects = has_defects(report, options.strict);
+    const bool written = !defects || options.keep_going;
+    if (console.json()) {
+        console.print(result_json(options, built, written));
+        return defects ? exit_defects : exit_ok;
+    }
+    console.say(report_text(subject, report, shown_findings));
+    if (written)
+        console.say(options.output.string() + ": " + scene_counts_text(scene_counts(built.scene)) + ", in " +
+                    time_text(built.seconds) + '.');
+    else
+        console.warn("enfilade: " + options.output.string() + " is not written, because the model has defects (" +
+                     counts_text(report.findings) + "): mend the plan, or build with --keep-going.");
+    return defects ? exit_defects : exit_ok;
+}
+
+}  // namespace enfilade::tools

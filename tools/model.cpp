@@ -1,0 +1,61 @@
+#include "tools/model.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "modeler/convexify.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+/// Names of the plan's storeys by index, for whoever asked for one that is not there.
+std::string storey_list(const plans::Plan& plan) {
+    std::string text;
+    for (std::size_t i = 0; i < plan.storeys.size(); ++i)
+        text += (i == 0 ? "" : ", ") + std::to_string(i) + " \"" + plan.storeys[i].name + '"';
+    return text;
+}
+
+std::string options_text(const ModelOptions& options, const modeler::BuildOptions& build) {
+    nlohmann::ordered_json json = {{"snap_mm", build.arrange.snap_mm}, {"sagitta_mm", build.arrange.sagitta_mm}};
+    json["storeys"] = options.storeys;
+    json["glass"] = options.opaque_glass ? "opaque" : "clear";
+    return json.dump();
+}
+
+}  // namespace
+
+modeler::BuildOptions build_options(const ModelOptions& options, const plans::Plan& plan) {
+    for (const std::uint32_t storey : options.storeys)
+        if (storey >= plan.storeys.size())
+            throw InputError("F103", "",
+                             "--storeys " + std::to_string(storey) + ": the plan has " +
+                                 counted(plan.storeys.size(), "storey") + ", counted from 0: " + storey_list(plan) +
+                                 '.');
+    modeler::BuildOptions build;
+    if (options.snap_mm) {
+        build.arrange.snap_mm = *options.snap_mm;
+        build.arrange.snap_fixed = true;
+    }
+    if (options.sagitta_mm) build.arrange.sagitta_mm = *options.sagitta_mm;
+    build.arrange.storeys = options.storeys;
+    build.opaque_glass = options.opaque_glass;
+    return build;
+}
+
+Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& progress) {
+    const modeler::BuildOptions build = build_options(options, plan);
+    Modelled modelled;
+    modelled.options_json = options_text(options, build);
+    {
+        const modeler::Building whole = modeler::build(plan, build);
+        progress.next();
+        modelled.building = modeler::convexify(whole);
+    }
+    progress.next();
+    modelled.report = modeler::check(modelled.building);
+    return modelled;
+}
+
+}  // namespace enfilade::tools

@@ -1,0 +1,29 @@
+#pragma once
+// From a plan file to a checked model: what `build`, `check` and the benchmarks share.
+
+#include <string>
+
+#include "modeler/build.h"
+#include "modeler/check.h"
+#include "plans/plan.h"
+#include "tools/commands.h"
+#include "tools/progress.h"
+
+namespace enfilade::tools {
+
+struct Modelled {
+    modeler::Building building;  ///< convex
+    modeler::CheckReport report;
+    std::string options_json;  ///< of the build, on one line: it enters the scene's certificate
+};
+
+/// The steps of `model`, for a progress bar.
+inline const std::vector<std::string> model_steps = {"Modelling", "Cutting into convex cells", "Checking"};
+
+/// What `modeler::build` makes of the flags. Throws InputError where a storey does not exist.
+[[nodiscard]] modeler::BuildOptions build_options(const ModelOptions& options, const plans::Plan& plan);
+
+/// Builds, convexifies and checks. `progress` stands at the first of `model_steps`, and is left at the last one.
+[[nodiscard]] Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& progress);
+
+}  // namespace enfilade::tools
