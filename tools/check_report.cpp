@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "tools/console.h"
 #include "tools/findings_text.h"
 #include "tools/output_file.h"
 #include "tools/version.h"

@@ -53,7 +53,7 @@ std::string result_json(const BuildCommandOptions& options, const Built& built, 
     json["volumes"] = built.modelled.building.volumes.size();
     json["darts"] = built.modelled.building.map.dart_count();
     json["scene"] = nullptr;
-    if (written) json["scene"] = scene_counts_json(scene_counts(built.scene));
+    if (written) json["scene"] = scene_counts_json(built.scene);
     json["check"] = report_json({options.plan.string(), ""}, built.modelled.report);
     return dump(json);
 }
@@ -76,7 +76,7 @@ int run_build(const BuildCommandOptions& options, const Console& console) {
     }
     console.say(report_text(subject, report, shown_findings));
     if (written)
-        console.say(options.output.string() + ": " + scene_counts_text(scene_counts(built.scene)) + ", in " +
+        console.say(options.output.string() + ": " + scene_counts_text(built.scene) + ", in " +
                     time_text(built.seconds) + '.');
     else
         console.warn("enfilade: " + options.output.string() + " is not written, because the model has defects (" +

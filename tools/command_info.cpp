@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "accel/certificate.h"
+#include "accel/graph.h"
 #include "accel/scene_file.h"
+#include "accel/stats.h"
 #include "tools/commands.h"
 #include "tools/exit_code.h"
 #include "tools/scene_summary.h"
@@ -41,9 +45,7 @@ std::string spread_text(const Spread& spread) {
 
 /// Everything that `info` says, measured once for both of its voices.
 struct Info {
-    SceneCounts counts;
-    std::array<std::size_t, accel::label_count> cells_by_label = {};
-    std::array<std::size_t, 3> portals_by_kind = {};
+    accel::SceneStats stats;
     std::vector<std::size_t> space_cells;
     Spread cells_per_room;
     Spread sections_per_cell;
@@ -55,63 +57,63 @@ struct Info {
 Info gather(const accel::Scene& scene) {
     const accel::SceneView& view = scene.view();
     Info info;
-    info.counts = scene_counts(scene);
-    for (const accel::Cell& cell : view.cells) ++info.cells_by_label[std::size_t(cell.label)];
-    for (const accel::Portal& portal : view.portals) ++info.portals_by_kind[std::size_t(portal.kind())];
+    info.stats = accel::stats(scene);
     info.space_cells = cells_per_space(view);
     std::vector<std::size_t> rooms, sections, faces;
     for (std::size_t s = 0; s < info.space_cells.size(); ++s)
-        if (info.space_cells[s] > 0 && view.spaces[s].label == accel::Label::Room) rooms.push_back(info.space_cells[s]);
+        if (view.spaces[s].label == accel::Label::Room) rooms.push_back(info.space_cells[s]);
     for (const accel::Cell& cell : view.cells) sections.push_back(cell.section_count);
     for (std::size_t s = 0; s < view.section_count(); ++s)
         faces.push_back(view.section_tails[s + 1].first_face - view.section_tails[s].first_face);
     info.cells_per_room = spread(rooms);
     info.sections_per_cell = spread(sections);
     info.faces_per_section = spread(faces);
-    info.components = component_count(view);
+    for (const std::uint32_t component : accel::components(accel::cell_graph(view)))
+        info.components = std::max(info.components, std::size_t(component) + 1);
     info.certificate = accel::certificate(scene);
     return info;
 }
 
-double bytes_per_cell(const Info& info) {
-    return info.counts.cells == 0 ? 0 : double(info.counts.trace_bytes) / double(info.counts.cells);
+template <class Name, std::size_t Count>
+Json counts_by_name(const std::array<std::uint64_t, Count>& counts, Name name) {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < Count; ++k)
+        if (counts[k] > 0) json[name(k)] = counts[k];
+    return json;
 }
+const char* label_name(std::size_t label) { return accel::name_of(accel::Label(label)); }
+const char* kind_name(std::size_t kind) { return accel::name_of(accel::PortalKind(kind)); }
 
 Json info_json(const std::string& file, const accel::Scene& scene, const Info& info) {
     const accel::SceneView& view = scene.view();
     Json json = {{"program", "enfilade"}, {"version", version}, {"file", file}};
     json["unit_m"] = view.unit;
     json["origin_m"] = view.origin;
-    json["counts"] = scene_counts_json(info.counts);
-    json["cells_by_label"] = Json::object();
-    for (std::size_t label = 0; label < info.cells_by_label.size(); ++label)
-        if (info.cells_by_label[label] > 0)
-            json["cells_by_label"][accel::name_of(accel::Label(label))] = info.cells_by_label[label];
-    json["portals_by_kind"] = Json::object();
-    for (std::size_t kind = 0; kind < info.portals_by_kind.size(); ++kind)
-        json["portals_by_kind"][accel::name_of(accel::PortalKind(kind))] = info.portals_by_kind[kind];
+    json["counts"] = scene_counts_json(scene);
+    json["cells_by_label"] = counts_by_name(info.stats.cells_of_label, label_name);
+    json["portals_by_kind"] = counts_by_name(info.stats.portals_of_kind, kind_name);
     json["cells_per_room"] = spread_json(info.cells_per_room);
     json["sections_per_cell"] = spread_json(info.sections_per_cell);
     json["faces_per_section"] = spread_json(info.faces_per_section);
-    json["bytes_per_cell"] = bytes_per_cell(info);
-    json["graph"] = {{"nodes", info.counts.cells}, {"edges", info.counts.portals}, {"components", info.components}};
+    json["bytes_per_cell"] = info.stats.bytes_per_cell();
+    json["graph"] = {{"nodes", info.stats.cells}, {"edges", info.stats.portals}, {"components", info.components}};
     json["rooms"] = Json::array();
     for (std::size_t s = 0; s < view.spaces.size(); ++s) {
         const accel::Space& space = view.spaces[s];
-        if (space.label != accel::Label::Room || info.space_cells[s] == 0) continue;
-        json["rooms"].push_back({{"id", view.string(space.id)},
-                                 {"name", view.string(space.name)},
-                                 {"storey", view.string(space.storey)},
-                                 {"area_m2", space.area_m2},
-                                 {"cells", info.space_cells[s]}});
+        if (space.label != accel::Label::Room) continue;
+        Json room = {{"id", view.string(space.id)}, {"name", view.string(space.name)}};
+        room["storey"] = view.string(space.storey);
+        room["area_m2"] = space.area_m2;
+        room["cells"] = info.space_cells[s];
+        json["rooms"].push_back(std::move(room));
     }
     json["certificate"] = nullptr;
     if (info.certificate) {
-        json["certificate"] = {{"program_version", info.certificate->program_version},
-                               {"options", info.certificate->options}};
-        json["certificate"]["code_counts"] = Json::object();
-        for (const auto& [code, count] : info.certificate->code_counts)
-            json["certificate"]["code_counts"][code] = count;
+        Json certificate = {{"program_version", info.certificate->program_version},
+                            {"options", info.certificate->options}};
+        certificate["code_counts"] = Json::object();
+        for (const auto& [code, count] : info.certificate->code_counts) certificate["code_counts"][code] = count;
+        json["certificate"] = std::move(certificate);
     }
     return json;
 }
@@ -124,35 +126,38 @@ std::string room_line(const accel::SceneView& view, const accel::Space& space, s
            ")";
 }
 
+std::string certificate_text(const Info& info) {
+    if (!info.certificate) return "  none\n";
+    std::string text = "  checked by enfilade " + info.certificate->program_version + ", built with " +
+                       info.certificate->options + "\n ";
+    for (const auto& [code, count] : info.certificate->code_counts) text += ' ' + code + ':' + std::to_string(count);
+    return text + '\n';
+}
+
 std::string info_text(const std::string& file, const accel::Scene& scene, const Info& info) {
     const accel::SceneView& view = scene.view();
-    const SceneCounts& counts = info.counts;
-    std::string text = file + ": " + scene_counts_text(counts) + "\n\nRooms\n";
+    const accel::SceneStats& stats = info.stats;
+    std::string text = file + ": " + scene_counts_text(scene) + "\n\nRooms\n";
     for (std::size_t s = 0; s < view.spaces.size(); ++s)
-        if (view.spaces[s].label == accel::Label::Room && info.space_cells[s] > 0)
+        if (view.spaces[s].label == accel::Label::Room)
             text += room_line(view, view.spaces[s], info.space_cells[s]) + '\n';
     text += "\nCells by label\n";
-    for (std::size_t label = 0; label < info.cells_by_label.size(); ++label)
-        if (info.cells_by_label[label] > 0)
-            text += "  " + grouped(info.cells_by_label[label]) + ' ' + accel::name_of(accel::Label(label)) + '\n';
+    for (std::size_t label = 0; label < stats.cells_of_label.size(); ++label)
+        if (stats.cells_of_label[label] > 0)
+            text += "  " + grouped(stats.cells_of_label[label]) + ' ' + label_name(label) + '\n';
     text += "\nShape\n  cells a room        " + spread_text(info.cells_per_room);
     text += "\n  sections a cell     " + spread_text(info.sections_per_cell);
     text += "\n  faces a section     " + spread_text(info.faces_per_section);
-    text += "\n  source faces        " + grouped(counts.source_faces);
-    text += "\n  bytes a cell        " + grouped((unsigned long long)(bytes_per_cell(info)));
-    text += "\n  trace group         " + byte_text(double(counts.trace_bytes));
+    text += "\n  source faces        " + grouped(stats.source_faces);
+    text += "\n  bytes a cell        " + grouped((unsigned long long)(stats.bytes_per_cell()));
+    text += "\n  trace group         " + byte_text(double(stats.trace_bytes));
     text += "\n  model group         " +
-            (counts.model_bytes > 0 ? byte_text(double(counts.model_bytes)) : "none: a stripped scene");
-    text += "\n\nGraph\n  " + counted(counts.cells, "node") + ", " + counted(counts.portals, "edge") + ", " +
+            (stats.model_bytes > 0 ? byte_text(double(stats.model_bytes)) : "none: a stripped scene");
+    text += "\n\nGraph\n  " + counted(stats.cells, "node") + ", " + counted(stats.portals, "edge") + ", " +
             counted(info.components, "component") + "; portals:";
-    for (std::size_t kind = 0; kind < info.portals_by_kind.size(); ++kind)
-        text += ' ' + grouped(info.portals_by_kind[kind]) + ' ' + accel::name_of(accel::PortalKind(kind));
-    text += "\n\nCertificate\n";
-    if (!info.certificate) return text + "  none\n";
-    text += "  checked by enfilade " + info.certificate->program_version + ", built with " + info.certificate->options +
-            "\n ";
-    for (const auto& [code, count] : info.certificate->code_counts) text += ' ' + code + ':' + std::to_string(count);
-    return text + '\n';
+    for (std::size_t kind = 0; kind < stats.portals_of_kind.size(); ++kind)
+        text += ' ' + grouped(stats.portals_of_kind[kind]) + ' ' + kind_name(kind);
+    return text + "\n\nCertificate\n" + certificate_text(info);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# tools/demo.sh [PLAN]: installs what is missing, builds the program, models a house from its plan, checks it, renders
+# it, and says where the pictures and the report are (out/demo/NAME).
+set -euo pipefail
+plan=$(realpath -- "${1:-$(dirname "${BASH_SOURCE[0]}")/../plans/examples/townhouse.json}")
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[ -f "$plan" ] || { echo "There is no plan $plan." >&2; exit 2; }
+
+tools/install-packages.sh
+tools/build.sh release enfilade
+enfilade=build/release/tools/enfilade
+
+name=$(basename "${plan%.*}")
+out=out/demo/$name
+rm -rf "$out"
+mkdir -p "$out"
+
+# Real plans have faults: the model is made of what can be used, and the report names the rest.
+verdict=0
+"$enfilade" build "$plan" -o "$out/$name.enf" --keep-going --report "$out/report.txt" || verdict=$?
+[ "$verdict" -le 1 ] || exit "$verdict"
+"$enfilade" check "$out/$name.enf" --json >"$out/report.json" || [ $? -eq 1 ]
+"$enfilade" info "$out/$name.enf" >"$out/info.txt"
+
+"$enfilade" render "$out/$name.enf" -o "$out/exterior.png" --camera exterior --size 1280x960 --samples 2
+storeys=$("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
+import json, sys
+print(json.load(sys.stdin)["counts"]["storeys"])')
+for ((storey = 0; storey < storeys; storey++)); do
+    "$enfilade" render "$out/$name.enf" -o "$out/storey-$storey.png" --camera "dollhouse:$storey" --size 1280x960 --samples 2
+done
+room=$("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
+import json, sys
+rooms = json.load(sys.stdin)["rooms"]
+print(max(rooms, key=lambda r: (r["name"] != "", r["area_m2"]))["id"])')
+"$enfilade" render "$out/$name.enf" -o "$out/room.png" --room "$room" --size 1280x960 --samples 2
+"$enfilade" export "$out/$name.enf" -o "$out/$name.glb"
+
+echo
+echo "The pictures:"
+for picture in "$out"/*.png; do echo "  $PWD/$picture"; done
+echo "The report: $PWD/$out/report.txt (for programs: report.json beside it)"
+echo "The model, for other 3D programs: $PWD/$out/$name.glb"

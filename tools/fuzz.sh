@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# tools/fuzz.sh [SECONDS]: builds the fuzz targets with clang and runs them, the seconds shared evenly (60).
+# New inputs stay in build/fuzz/corpus; the kept ones are in tests/fuzz/corpus.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+seconds=${1:-60}
+tools/build.sh fuzz fuzz_targets
+
+mapfile -t targets < <(find build/fuzz -maxdepth 4 -type f -executable -name 'fuzz_*' | sort)
+[ ${#targets[@]} -gt 0 ] || { echo "No fuzz target was built." >&2; exit 1; }
+share=$((seconds / ${#targets[@]}))
+[ "$share" -ge 1 ] || share=1
+for target in "${targets[@]}"; do
+    name=$(basename "$target")
+    corpus=build/fuzz/corpus/$name
+    kept=tests/fuzz/corpus/$name
+    mkdir -p "$corpus"
+    folders=("$corpus")
+    [ ! -d "$kept" ] || folders+=("$kept")
+    log=build/fuzz/$name.log
+    if ! "$target" -max_total_time="$share" -rss_limit_mb=4096 -timeout=10 -print_final_stats=1 \
+        -artifact_prefix="build/fuzz/$name-" "${folders[@]}" >"$log" 2>&1; then
+        tail -n 60 "$log" >&2
+        echo "$name found an input that the reader does not survive: it is named above." >&2
+        exit 1
+    fi
+    echo "$name: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") inputs in $share s, no crash"
+done
