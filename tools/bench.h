@@ -29,12 +29,12 @@ struct Goal {
 [[nodiscard]] inline Goal ratio_at_least(double bound) { return {Goal::Of::Ratio, Goal::Side::AtLeast, bound}; }
 
 struct BenchRow {
-    std::string bench;
-    std::string row;
-    std::string scene;
+    std::string bench = {};
+    std::string row = {};
+    std::string scene = {};
     unsigned threads = 1;
     double value = 0;
-    std::string unit;
+    std::string unit = {};
     std::string reference = {};                  ///< what it is measured against; empty: nothing
     std::optional<double> reference_value = {};  ///< in the same unit, from the same run
     std::optional<double> ratio = {};            ///< how many times better than the reference, > 1 is better
