@@ -1,0 +1,30 @@
+#include "modeler/check.h"
+
+#include <algorithm>
+
+#include "modeler/constraints.h"
+
+namespace enfilade::modeler {
+
+bool Blame::any() const {
+    return whole_map || std::find(volume.begin(), volume.end(), true) != volume.end() ||
+           std::find(face.begin(), face.end(), true) != face.end();
+}
+
+std::size_t CheckReport::count(const std::string& code) const {
+    return std::size_t(
+        std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; }));
+}
+
+CheckReport check(const Building& building) {
+    CheckReport report;
+    Blame blame{std::vector<bool>(building.volumes.size(), false), std::vector<bool>(building.faces.size(), false)};
+    check_topology(building, blame, report);
+    check_partition(building, blame, report);
+    if (building.convex) check_convexity(building, blame, report);
+    check_portals(building, blame, report);
+    report.findings.insert(report.findings.end(), building.findings.begin(), building.findings.end());
+    return report;
+}
+
+}  // namespace enfilade::modeler

@@ -1,0 +1,167 @@
+// G8: cells are convex, and pieces sum to their parent.
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/constraints.h"
+#include "modeler/map_geometry.h"
+#include "modeler/partition.h"
+#include "modeler/place.h"
+
+namespace enfilade::modeler {
+namespace {
+
+using plans::GridPoint;
+
+/// Corners of a piece, with the line of the edge that leaves each.
+struct Ring {
+    std::vector<GridPoint> point;
+    std::vector<std::uint32_t> line;
+};
+
+Ring ring_of(const Building& building, const Piece& piece) {
+    Ring ring;
+    for (std::uint32_t k = 0; k < piece.corner_count; ++k) {
+        const Corner& corner = building.corners[piece.first_corner + k];
+        ring.point.push_back(building.points[corner.vertex]);
+        ring.line.push_back(building.edges[corner.half_edge / 2].line);
+    }
+    return ring;
+}
+
+std::int64_t area2(const Ring& ring) {
+    std::int64_t sum = 0;
+    for (std::size_t k = 0; k < ring.point.size(); ++k)
+        sum += orientation(ring.point[0], ring.point[k], ring.point[(k + 1) % ring.point.size()]);
+    return sum;
+}
+
+/// Corner that turns right between different lines, if any.
+std::optional<std::size_t> reflex_corner(const Ring& ring) {
+    const std::size_t n = ring.point.size();
+    for (std::size_t k = 0; k < n; ++k)
+        if (is_reflex(ring.point[(k + n - 1) % n], ring.point[k], ring.point[(k + 1) % n], ring.line[(k + n - 1) % n],
+                      ring.line[k]))
+            return k;
+    return std::nullopt;
+}
+
+/// Largest distance, in grid units, of a corner from the chord of the run of edges of one line on which it lies.
+double stray(const Ring& ring) {
+    const std::size_t n = ring.point.size();
+    std::size_t start = 0;
+    while (start < n && ring.line[start] == ring.line[(start + n - 1) % n]) ++start;
+    if (start == n) return 0;
+    double worst = 0;
+    for (std::size_t run = start; run < start + n;) {
+        std::size_t end = run + 1;
+        while (end < start + n && ring.line[end % n] == ring.line[run % n]) ++end;
+        const GridPoint a = ring.point[run % n], b = ring.point[end % n];
+        const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+        for (std::size_t k = run + 1; k < end && length > 0; ++k)
+            worst = std::max(worst, std::abs(double(orientation(a, b, ring.point[k % n]))) / length);
+        run = end;
+    }
+    return worst;
+}
+
+void blame_volume(const Building& building, std::uint32_t v, std::string sentence, Blame& blame, CheckReport& report) {
+    Finding finding{.code = "G8", .severity = Severity::Error, .sentence = std::move(sentence)};
+    finding.hint = "This is a fault of the convexifier or of the grid: try a finer --snap-mm, and report the plan.";
+    place_at_volume(building, v, finding);
+    blame.volume[v] = true;
+    report.findings.push_back(std::move(finding));
+}
+
+void check_shapes(const Building& building, Blame& blame, CheckReport& report) {
+    std::vector<bool> seen(building.pieces.size(), false);
+    for (std::uint32_t v = 0; v < building.volumes.size(); ++v) {
+        const Volume& volume = building.volumes[v];
+        if (!carries_light(volume.label) || seen[volume.piece]) continue;
+        seen[volume.piece] = true;
+        if (blame.volume[v]) {
+            ++report.suppressed;
+            continue;
+        }
+        const Ring ring = ring_of(building, building.pieces[volume.piece]);
+        if (const auto corner = reflex_corner(ring)) {
+            Finding at;
+            blame_volume(building, v, "A piece of " + title(building.spaces[volume.space]) + " is not convex.", blame,
+                         report);
+            const GridPoint p = ring.point[*corner];
+            report.findings.back().point = {building.frame.world_x(p.x), building.frame.world_y(p.y),
+                                            building.frame.world_z(volume.z_low)};
+        } else if (const double distance = stray(ring); distance > 1) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%.2f", distance);
+            blame_volume(building, v,
+                         "A side of " + title(building.spaces[volume.space]) + " strays from its line by " +
+                             std::string(text) + " grid units.",
+                         blame, report);
+        }
+    }
+}
+
+/// Pieces of one parent: their areas sum to the area within the parent's outline, and each volume of the map has
+/// the measure of its prism.
+void check_sums(const Building& building, Blame& blame, CheckReport& report) {
+    const auto volumes = volumes6(building.map, building.vertices);
+    std::vector<std::uint32_t> parent_of_half_edge(2 * building.edges.size(), UINT32_MAX);
+    std::uint32_t parents = 0;
+    for (const Volume& volume : building.volumes) parents = std::max(parents, volume.parent + 1);
+    std::vector<std::vector<std::uint32_t>> members(parents);
+    for (std::uint32_t v = 0; v + 1 < building.volumes.size(); ++v) members[building.volumes[v].parent].push_back(v);
+    for (std::uint32_t parent = 0; parent < parents; ++parent) {
+        std::int64_t pieces = 0, outline = 0;
+        for (const std::uint32_t v : members[parent]) {
+            const Piece& piece = building.pieces[building.volumes[v].piece];
+            for (std::uint32_t k = 0; k < piece.corner_count; ++k)
+                parent_of_half_edge[building.corners[piece.first_corner + k].half_edge] = parent;
+        }
+        for (const std::uint32_t v : members[parent]) {
+            const Volume& volume = building.volumes[v];
+            const Piece& piece = building.pieces[volume.piece];
+            const std::int64_t area = area2(ring_of(building, piece));
+            pieces += area;
+            for (std::uint32_t k = 0; k < piece.corner_count; ++k) {
+                const std::uint32_t h = building.corners[piece.first_corner + k].half_edge;
+                if (parent_of_half_edge[h ^ 1] == parent) continue;
+                const GridPoint a = building.points[building.corners[piece.first_corner + k].vertex];
+                const GridPoint b =
+                    building.points[building.corners[piece.first_corner + (k + 1) % piece.corner_count].vertex];
+                outline += std::int64_t(a.x) * b.y - std::int64_t(a.y) * b.x;
+            }
+            if (volumes && !blame.volume[v] &&
+                (*volumes)[v] != Int128(3) * area * (Int128(volume.z_high) - volume.z_low))
+                blame_volume(building, v,
+                             "A piece of " + title(building.spaces[volume.space]) +
+                                 " measures otherwise in the map than in the plan.",
+                             blame, report);
+        }
+        for (const std::uint32_t v : members[parent]) {
+            const Piece& piece = building.pieces[building.volumes[v].piece];
+            for (std::uint32_t k = 0; k < piece.corner_count; ++k)
+                parent_of_half_edge[building.corners[piece.first_corner + k].half_edge] = UINT32_MAX;
+        }
+        if (pieces != outline && !members[parent].empty()) {
+            const std::uint32_t v = members[parent].front();
+            if (blame.volume[v]) ++report.suppressed;
+            else
+                blame_volume(
+                    building, v,
+                    "The pieces of " + title(building.spaces[building.volumes[v].space]) + " do not sum to it.", blame,
+                    report);
+        }
+    }
+}
+
+}  // namespace
+
+void check_convexity(const Building& building, Blame& blame, CheckReport& report) {
+    report.codes_checked.emplace_back("G8");
+    check_shapes(building, blame, report);
+    if (blame.whole_map) ++report.suppressed;
+    else check_sums(building, blame, report);
+}
+
+}  // namespace enfilade::modeler

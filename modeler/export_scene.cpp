@@ -1,0 +1,334 @@
+#include "modeler/export_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "accel/assemble.h"
+#include "base/check.h"
+#include "modeler/face_label.h"
+#include "modeler/materials.h"
+#include "modeler/model_group.h"
+#include "modeler/outline.h"
+
+namespace enfilade::modeler {
+namespace {
+
+constexpr std::uint32_t no_index = UINT32_MAX;
+
+/// What one edge of a cell's floor shows between two levels: a portal, or a solid of one surface and material.
+struct SideRun {
+    std::int32_t z_low, z_high;
+    accel::InputTarget target;
+    Surface surface = Surface::WallPaper;
+    std::uint32_t material = 0;
+};
+
+/// Solid runs with equal keys, one starting where the other ends, are one face of the building before its cuts.
+struct ChainKey {
+    std::uint32_t parent, line, material, start;
+    std::int32_t z_low, z_high;
+    Surface surface;
+    friend bool operator==(const ChainKey&, const ChainKey&) = default;
+};
+struct ChainHash {
+    std::size_t operator()(const ChainKey& key) const {
+        std::uint64_t h = 0x9e3779b97f4a7c15u;
+        for (const std::uint64_t part :
+             {std::uint64_t(key.parent), std::uint64_t(key.line), std::uint64_t(key.material), std::uint64_t(key.start),
+              std::uint64_t(std::uint32_t(key.z_low)), std::uint64_t(std::uint32_t(key.z_high)),
+              std::uint64_t(key.surface)})
+            h = (h ^ part) * 0xbf58476d1ce4e5b9u, h ^= h >> 29;
+        return std::size_t(h);
+    }
+};
+
+class SceneExporter {
+public:
+    explicit SceneExporter(const Building& building) : building_(building), openings_(building), materials_(building) {}
+
+    accel::SceneInput run() {
+        const plans::GridFrame& frame = building_.frame;
+        input_.unit = frame.unit;
+        input_.origin = {frame.origin_x, frame.origin_y, frame.origin_z};
+        number_cells();
+        index_edges();
+        find_horizontal_faces();
+        add_floors_and_ceilings();
+        find_side_runs();
+        chain_solid_runs();
+        add_sections();
+        add_spaces();
+        input_.materials = materials_.take();
+        return std::move(input_);
+    }
+
+private:
+    void number_cells() {
+        cell_of_.assign(building_.volumes.size(), no_index);
+        for (std::uint32_t v = 0; v < building_.volumes.size(); ++v) {
+            const Volume& volume = building_.volumes[v];
+            if (!carries_light(volume.label)) continue;
+            cell_of_[v] = std::uint32_t(input_.cells.size());
+            volume_of_.push_back(v);
+            input_.cells.push_back({volume.label, volume.space, v, volume.z_low, volume.z_high, 0, {}, {}});
+        }
+    }
+
+    /// Side faces stand first in `faces`, by edge, then upward.
+    void index_edges() {
+        first_face_.assign(building_.edges.size() + 1, 0);
+        for (const Face& face : building_.faces)
+            if (face.direction == Direction::Side) ++first_face_[face.edge + 1];
+        for (std::size_t e = 1; e < first_face_.size(); ++e) first_face_[e] += first_face_[e - 1];
+    }
+
+    std::uint32_t portal(std::uint32_t a, std::uint32_t b, PortalKind kind) {
+        const std::uint32_t front = std::min(cell_of_[a], cell_of_[b]), back = std::max(cell_of_[a], cell_of_[b]);
+        const std::uint64_t key = std::uint64_t(front) << 32 | back;
+        const auto [at, is_new] = portal_ids_[std::size_t(kind)].try_emplace(key, std::uint32_t(input_.portals.size()));
+        if (is_new) input_.portals.push_back({front, back, kind, kind == PortalKind::Glass ? glass_tint : clear_tint});
+        return at->second;
+    }
+
+    /// Per cell, what its floor and ceiling show. A region's places are alike in what carries light above and below
+    /// (stack.h), so a floor is wholly solid or one portal; of several solids behind it the terrain names the surface.
+    void find_horizontal_faces() {
+        floor_.assign(input_.cells.size(), no_index);
+        ceiling_.assign(input_.cells.size(), no_index);
+        const auto consider = [&](std::uint32_t& known, std::uint32_t f, std::uint32_t behind) {
+            if (known == no_index || building_.volumes[behind].label == Label::Ground) known = f;
+        };
+        for (std::uint32_t f = 0; f < building_.faces.size(); ++f) {
+            const Face& face = building_.faces[f];
+            if (face.direction != Direction::Up) continue;
+            if (cell_of_[face.front] != no_index) consider(floor_[cell_of_[face.front]], f, face.back);
+            if (cell_of_[face.back] != no_index) consider(ceiling_[cell_of_[face.back]], f, face.front);
+        }
+    }
+
+    void add_floors_and_ceilings() {
+        std::map<std::uint32_t, std::vector<std::uint32_t>> members;  // parent -> volumes
+        for (const std::uint32_t v : volume_of_) members[building_.volumes[v].parent].push_back(v);
+        std::vector<std::uint32_t> scratch(2 * building_.edges.size(), no_index);
+        for (const auto& [parent, volumes] : members) {
+            std::vector<std::uint32_t> ring;
+            for (const bool is_floor : {true, false}) {
+                std::uint32_t source = no_index;
+                for (const std::uint32_t v : volumes) {
+                    const std::uint32_t f = (is_floor ? floor_ : ceiling_)[cell_of_[v]];
+                    ENFILADE_CHECK(f != no_index);
+                    const Face& face = building_.faces[f];
+                    const std::uint32_t behind = is_floor ? face.back : face.front;
+                    accel::InputTarget& target =
+                        is_floor ? input_.cells[cell_of_[v]].floor : input_.cells[cell_of_[v]].ceiling;
+                    if (const FaceKind kind = face_kind(building_, openings_, face); kind.is_portal) {
+                        target = {true, portal(v, behind, kind.portal)};
+                        continue;
+                    }
+                    if (source == no_index) {
+                        if (ring.empty()) ring = corners_of(building_, outline(building_, volumes, scratch));
+                        source = add_level_face(ring, v, behind, is_floor);
+                    }
+                    target = {false, source};
+                }
+            }
+        }
+    }
+
+    std::uint32_t add_level_face(const std::vector<std::uint32_t>& ring, std::uint32_t viewer, std::uint32_t behind,
+                                 bool is_floor) {
+        const Volume& volume = building_.volumes[viewer];
+        const Volume& back = building_.volumes[behind];
+        const Surface shown = surface(volume.label, back.label, is_floor ? Looking::Down : Looking::Up);
+        input_.source_faces.push_back({shown, volume.space, materials_.of(shown, volume.space, back.space, no_index),
+                                       std::uint32_t(input_.vertices.size())});
+        const auto add = [&](std::uint32_t point) {
+            const plans::GridPoint p = building_.points[point];
+            input_.vertices.push_back({p.x, p.y, is_floor ? volume.z_low : volume.z_high});
+        };
+        if (is_floor) std::for_each(ring.begin(), ring.end(), add);
+        else std::for_each(ring.rbegin(), ring.rend(), add);
+        return std::uint32_t(input_.source_faces.size() - 1);
+    }
+
+    [[nodiscard]] const Piece& piece_of(std::uint32_t cell) const {
+        return building_.pieces[building_.volumes[volume_of_[cell]].piece];
+    }
+    [[nodiscard]] const Corner& corner_of(std::uint32_t cell, std::uint32_t k) const {
+        const Piece& piece = piece_of(cell);
+        return building_.corners[piece.first_corner + k % piece.corner_count];
+    }
+    [[nodiscard]] std::uint32_t line_of(std::uint32_t cell, std::uint32_t k) const {
+        return building_.edges[corner_of(cell, k).half_edge / 2].line;
+    }
+
+    void find_side_runs() {
+        for (std::uint32_t cell = 0; cell < input_.cells.size(); ++cell) {
+            first_corner_.push_back(std::uint32_t(first_run_.size()));
+            for (std::uint32_t k = 0; k < piece_of(cell).corner_count; ++k) {
+                first_run_.push_back(std::uint32_t(runs_.size()));
+                add_runs(cell, corner_of(cell, k).half_edge);
+            }
+        }
+        first_corner_.push_back(std::uint32_t(first_run_.size()));
+        first_run_.push_back(std::uint32_t(runs_.size()));
+    }
+
+    void add_runs(std::uint32_t cell, std::uint32_t half_edge) {
+        const std::uint32_t v = volume_of_[cell], edge = half_edge / 2;
+        const std::size_t first = runs_.size();
+        for (std::uint32_t f = first_face_[edge]; f < first_face_[edge + 1]; ++f) {
+            const Face& face = building_.faces[f];
+            if ((half_edge % 2 == 0 ? face.front : face.back) != v) continue;
+            const std::uint32_t behind = half_edge % 2 == 0 ? face.back : face.front;
+            const FaceKind kind = face_kind(building_, openings_, face);
+            SideRun run{face.z_low, face.z_high, {}};
+            if (kind.is_portal) {
+                run.target = {true, portal(v, behind, kind.portal)};
+            } else {
+                const Volume& viewer = building_.volumes[v];
+                const Volume& back = building_.volumes[behind];
+                run.surface = kind.forced.value_or(surface(viewer.label, back.label, Looking::Sideways));
+                run.material = materials_.of(run.surface, viewer.space, back.space, building_.edges[edge].line);
+            }
+            if (runs_.size() > first && continues(runs_.back(), run)) runs_.back().z_high = run.z_high;
+            else runs_.push_back(run);
+        }
+        ENFILADE_CHECK(runs_.size() > first);
+    }
+    static bool continues(const SideRun& below, const SideRun& above) {
+        if (below.target.is_portal != above.target.is_portal) return false;
+        if (below.target.is_portal) return below.target.index == above.target.index;
+        return below.surface == above.surface && below.material == above.material;
+    }
+
+    void chain_solid_runs() {
+        struct Place {
+            std::uint32_t run, end;
+        };
+        std::unordered_map<ChainKey, Place, ChainHash> starting;
+        const auto for_each_solid = [&](auto visit) {
+            for (std::uint32_t cell = 0; cell < input_.cells.size(); ++cell)
+                for (std::uint32_t k = 0; k < piece_of(cell).corner_count; ++k) {
+                    const std::uint32_t at = first_corner_[cell] + k;
+                    for (std::uint32_t r = first_run_[at]; r < first_run_[at + 1]; ++r) {
+                        const SideRun& run = runs_[r];
+                        if (run.target.is_portal) continue;
+                        const std::uint32_t parent = building_.volumes[volume_of_[cell]].parent;
+                        visit(cell, r,
+                              ChainKey{parent, line_of(cell, k), run.material, corner_of(cell, k).vertex, run.z_low,
+                                       run.z_high, run.surface},
+                              corner_of(cell, k + 1).vertex);
+                    }
+                }
+        };
+        for_each_solid([&](std::uint32_t, std::uint32_t r, const ChainKey& key, std::uint32_t end) {
+            starting.emplace(key, Place{r, end});
+        });
+        std::vector<bool> has_before(runs_.size(), false);
+        for_each_solid([&](std::uint32_t, std::uint32_t, ChainKey key, std::uint32_t end) {
+            key.start = end;
+            if (const auto next = starting.find(key); next != starting.end()) has_before[next->second.run] = true;
+        });
+        for_each_solid([&](std::uint32_t cell, std::uint32_t r, ChainKey key, std::uint32_t end) {
+            if (has_before[r]) return;
+            const std::uint32_t source = std::uint32_t(input_.source_faces.size()), begin = key.start;
+            runs_[r].target.index = source;
+            for (auto next = starting.end(); (key.start = end, next = starting.find(key)) != starting.end();) {
+                runs_[next->second.run].target.index = source;
+                end = next->second.end;
+            }
+            add_side_face(building_.volumes[volume_of_[cell]].space, runs_[r], begin, end);
+        });
+    }
+
+    void add_side_face(std::uint32_t space, const SideRun& run, std::uint32_t from, std::uint32_t to) {
+        input_.source_faces.push_back({run.surface, space, run.material, std::uint32_t(input_.vertices.size())});
+        const plans::GridPoint a = building_.points[from], b = building_.points[to];
+        input_.vertices.push_back({a.x, a.y, run.z_low});
+        input_.vertices.push_back({a.x, a.y, run.z_high});
+        input_.vertices.push_back({b.x, b.y, run.z_high});
+        input_.vertices.push_back({b.x, b.y, run.z_low});
+    }
+
+    [[nodiscard]] std::span<const SideRun> runs_of(std::uint32_t cell, std::uint32_t k) const {
+        const std::uint32_t at = first_corner_[cell] + k % piece_of(cell).corner_count;
+        return std::span(runs_).subspan(first_run_[at], first_run_[at + 1] - first_run_[at]);
+    }
+
+    /// Whether side k goes on where side k - 1 ends as one section: the same line and faces, and either exactly
+    /// straight or without a portal (both sides of a portal have to be cut at the same vertical lines).
+    [[nodiscard]] bool goes_on(std::uint32_t cell, std::uint32_t k) const {
+        const std::uint32_t n = piece_of(cell).corner_count, before = (k + n - 1) % n;
+        if (line_of(cell, before) != line_of(cell, k)) return false;
+        const auto a = runs_of(cell, before), b = runs_of(cell, k);
+        if (a.size() != b.size()) return false;
+        bool has_portal = false;
+        for (std::size_t r = 0; r < a.size(); ++r) {
+            if (a[r].z_high != b[r].z_high || a[r].target.is_portal != b[r].target.is_portal ||
+                a[r].target.index != b[r].target.index)
+                return false;
+            has_portal |= a[r].target.is_portal;
+        }
+        const auto point = [&](std::uint32_t i) { return building_.points[corner_of(cell, i).vertex]; };
+        return !has_portal || orientation(point(before), point(k), point(k + 1)) == 0;
+    }
+
+    void add_sections() {
+        for (std::uint32_t cell = 0; cell < input_.cells.size(); ++cell) {
+            input_.cells[cell].first_section = std::uint32_t(input_.sections.size());
+            const std::uint32_t n = piece_of(cell).corner_count;
+            for (std::uint32_t k = 0; k < n; ++k) {
+                if (goes_on(cell, k)) continue;
+                const plans::GridPoint p = building_.points[corner_of(cell, k).vertex];
+                input_.sections.push_back({p.x, p.y, std::uint32_t(input_.side_faces.size())});
+                for (const SideRun& run : runs_of(cell, k)) input_.side_faces.push_back({run.z_high, run.target});
+            }
+        }
+    }
+
+    void add_spaces() {
+        for (const Space& space : building_.spaces) {
+            const bool has_storey = space.storey < building_.storeys.size();
+            input_.spaces.push_back({space.label, space.id, space.name,
+                                     has_storey ? building_.storeys[space.storey].id : "",
+                                     has_storey ? space.storey : no_index, space.area_m2});
+        }
+    }
+
+    static constexpr std::array<float, 3> glass_tint = {0.92f, 0.96f, 0.97f};
+    static constexpr std::array<float, 3> clear_tint = {1, 1, 1};
+
+    const Building& building_;
+    OpeningFaces openings_;
+    Materials materials_;
+    accel::SceneInput input_;
+    std::vector<std::uint32_t> cell_of_;          ///< [volume]
+    std::vector<std::uint32_t> volume_of_;        ///< [cell]
+    std::vector<std::uint32_t> first_face_;       ///< [edge + 1] side faces over an edge
+    std::vector<std::uint32_t> floor_, ceiling_;  ///< [cell] a face of the map
+    std::array<std::unordered_map<std::uint64_t, std::uint32_t>, 3> portal_ids_;
+    std::vector<SideRun> runs_;
+    std::vector<std::uint32_t> first_run_;     ///< [corner + 1]
+    std::vector<std::uint32_t> first_corner_;  ///< [cell + 1] into first_run_
+};
+
+}  // namespace
+
+accel::SceneInput scene_input(const Building& building) {
+    ENFILADE_CHECK(building.convex);
+    return SceneExporter(building).run();
+}
+
+accel::Scene export_scene(const Building& building, const CheckReport& report, const std::string& options_json) {
+    accel::SceneInput input = scene_input(building);
+    input.model = model_group(building);
+    input.certificate.program_version = ENFILADE_VERSION;
+    input.certificate.options = options_json;
+    for (const std::string& code : report.codes_checked)
+        input.certificate.code_counts.emplace_back(code, report.count(code));
+    return accel::assemble(input);
+}
+
+}  // namespace enfilade::modeler

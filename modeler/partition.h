@@ -1,0 +1,52 @@
+#pragma once
+// Cutting a polygon with holes into discs or into convex pieces, by diagonals.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plans/grid.h"
+
+namespace enfilade::modeler {
+
+/// A directed side of the polygon, which lies on its left. Sides meet only in common points.
+struct PolygonSide {
+    std::uint32_t from = 0;  ///< into the points given to `partition`
+    std::uint32_t to = 0;
+    std::uint32_t line = 0;  ///< consecutive sides of one line count as straight
+    std::uint32_t tag = 0;   ///< handed through
+};
+
+inline constexpr std::uint32_t cut_tag = UINT32_MAX;
+
+enum class PartitionGoal {
+    Disc,    ///< simply connected, no point visited twice
+    Convex,  ///< no reflex corner between different lines
+};
+
+/// The pieces as rings of sides, counter-clockwise; a cut appears in two rings, with tag `cut_tag` and line `cut_tag`.
+struct Partition {
+    std::vector<PolygonSide> sides;
+    std::vector<std::uint32_t> first_side;  ///< [piece_count + 1]
+    [[nodiscard]] std::uint32_t piece_count() const { return std::uint32_t(first_side.size()) - 1; }
+    [[nodiscard]] std::span<const PolygonSide> piece(std::uint32_t k) const {
+        return std::span(sides).subspan(first_side[k], first_side[k + 1] - first_side[k]);
+    }
+};
+
+/// Cuts the polygon bounded by `sides` along diagonals of its constrained Delaunay triangulation, taking diagonals out
+/// again, the longest first, while the pieces keep the goal (Hertel and Mehlhorn 1983 for convex pieces: at most four
+/// times the least number of them). No new points. A polygon that meets the goal comes back whole.
+/// \pre sides form closed loops and do not cross. Cost: n log n.
+[[nodiscard]] Partition partition(std::span<const plans::GridPoint> points, std::span<const PolygonSide> sides,
+                                  PartitionGoal goal);
+
+/// Whether the corner from side (a, b) to side (b, c) turns right between different lines.
+[[nodiscard]] inline bool is_reflex(plans::GridPoint a, plans::GridPoint b, plans::GridPoint c, std::uint32_t line_in,
+                                    std::uint32_t line_out) {
+    if (line_in == line_out && line_in != cut_tag) return false;  // both lie on it within the rounding
+    return plans::orientation(a, b, c) < 0;
+}
+
+}  // namespace enfilade::modeler
