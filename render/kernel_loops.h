@@ -1,0 +1,205 @@
+// The loops over rays. Included by one file for each instruction set, which names its namespace (isa.h); no include
+// guard is needed, and no standard container may appear here.
+
+#include "render/kernel.h"
+#include "render/sampling.h"
+#include "render/shade.h"
+#include "render/walk.h"
+
+namespace enfilade::render {
+inline namespace ENFILADE_ISA {
+namespace {
+
+void store(const detail::TileJob& job, int x, int y, Vec3f colour) {
+    float* p = job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x);
+    p[0] = colour.x;
+    p[1] = colour.y;
+    p[2] = colour.z;
+}
+
+template <class Events>
+void lambert_rows(const detail::TileJob& job, Events& events) {
+    const accel::SceneView scene = *job.scene;
+    const CameraFrame camera = *job.camera;
+    const Look& look = *job.look;
+    for (int y = job.y0; y < job.y1; ++y) {
+        for (int x = job.x0; x < job.x1; ++x) {
+            const Vec3f direction = camera.direction(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+            const Ray<float> ray = make_ray_unchecked(camera.origin, direction);
+            Vec3f throughput = {1, 1, 1};
+            const WalkEnd<float> end = walk(scene, ray, job.start_cell, NoLimit{}, throughput, events);
+            Vec3f colour = {1, 0, 1};  // a leak shows
+            if (end.status == WalkStatus::Hit) {
+                const accel::SourceFace& face = scene.source_faces[end.target.bits];
+                colour = face.surface == accel::Surface::Sky
+                             ? sky_colour(look, direction)
+                             : headlight_cosine(scene, ray, end) * colour_of(scene, face);
+            }
+            store(job, x, y, throughput * colour);
+        }
+    }
+}
+
+/// How much of the sky and of far walls a point sees: short rays over the hemisphere, each worth how far it gets.
+template <class Events>
+float ambient_openness(const accel::SceneView& scene, const Look& look, Vec3f point, Vec3f normal, std::uint32_t cell,
+                       Sampler& sampler, Events& events) {
+    float open = 0;
+    for (int i = 0; i < look.ambient_samples; ++i) {
+        const Vec3f direction = sampler.next_cosine_direction(normal);
+        const Ray<float> ray = make_ray_unchecked(point, direction);
+        Vec3f throughput = {1, 1, 1};
+        const WalkEnd<float> end = walk(scene, ray, cell, Limit<float>{look.ambient_reach}, throughput, events);
+        const bool is_open =
+            end.status != WalkStatus::Hit || scene.source_faces[end.target.bits].surface == accel::Surface::Sky;
+        const float reached = is_open ? 1.0f : parameter(scene, ray, end) / look.ambient_reach;
+        open += reached > 0 ? (reached < 1 ? reached * (2 - reached) : 1.0f) : 0.0f;
+    }
+    return look.ambient_samples > 0 ? open / static_cast<float>(look.ambient_samples) : 1.0f;
+}
+
+template <class Events>
+Vec3f sunlight(const accel::SceneView& scene, const Look& look, Vec3f point, Vec3f normal, std::uint32_t cell,
+               Events& events) {
+    const float cosine = dot(normal, look.sun_direction);
+    if (!(cosine > 0)) return {0, 0, 0};
+    Vec3f throughput = {1, 1, 1};
+    const Ray<float> ray = make_ray_unchecked(point, look.sun_direction);
+    const WalkEnd<float> end = walk(scene, ray, cell, NoLimit{}, throughput, events);
+    if (end.status != WalkStatus::Hit || scene.source_faces[end.target.bits].surface != accel::Surface::Sky)
+        return {0, 0, 0};
+    return cosine * (throughput * look.sun);
+}
+
+/// Where the walk ended, on the face itself. Secondary rays need no epsilon: a walk starts in a cell and asks by which
+/// face the line leaves it, so the face on which it starts is never hit again.
+ENFILADE_HD Vec3f end_point(const accel::SceneView& scene, const Ray<float>& ray, const WalkEnd<float>& end, float t) {
+    const accel::Cell& cell = scene.cells[end.cell];
+    Vec3f point = ray.origin + t * ray.direction;
+    if (end.exit == Exit::Floor || point.z < cell.z_floor) point.z = cell.z_floor;
+    if (end.exit == Exit::Ceiling || point.z > cell.z_ceiling) point.z = cell.z_ceiling;
+    return point;
+}
+
+template <class Events>
+Vec3f radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec3f origin, Vec3f direction,
+               std::uint32_t cell, Sampler& sampler, Events& events) {
+    const Look& look = *job.look;
+    const Ray<float> ray = make_ray_unchecked(origin, direction);
+    Vec3f throughput = {1, 1, 1};
+    const WalkEnd<float> end = walk(scene, ray, cell, NoLimit{}, throughput, events);
+    if (end.status != WalkStatus::Hit) return {1, 0, 1};
+    const accel::SourceFace& face = scene.source_faces[end.target.bits];
+    if (face.surface == accel::Surface::Sky) return throughput * sky_colour(look, direction);
+    const float t = parameter(scene, ray, end);
+    const Vec3f point = end_point(scene, ray, end, t);
+    const Vec3f normal = normal_of(scene, end);
+    const float headlight = look.headlight * headlight_cosine(scene, ray, end);
+    const Vec3f light = ambient_openness(scene, look, point, normal, end.cell, sampler, events) * look.ambient +
+                        sunlight(scene, look, point, normal, end.cell, events) + Vec3f{headlight, headlight, headlight};
+    return throughput * (light * colour_of(scene, face));
+}
+
+/// The dollhouse: the ray begins where it falls through the cut.
+template <class Events>
+Vec3f cut_radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec3f direction, std::uint32_t& near_cell,
+                   Sampler& sampler, Events& events) {
+    const Look& look = *job.look;
+    const Vec3f eye = job.camera->origin;
+    if (!(direction.z < 0)) return look.paper;
+    const float t = (job.cut_z - eye.z) / direction.z;
+    const Vec3f point = {eye.x + t * direction.x, eye.y + t * direction.y, job.cut_z};
+    const double where[3] = {point.x, point.y, point.z};
+    if (near_cell == no_section || !detail::cell_holds(scene, near_cell, where)) {
+        const std::uint32_t cell = detail::cell_at(scene, where);
+        if (cell == no_section) {
+            const accel::LocatorNode& site = scene.locator_nodes[0];
+            const bool is_on_site =
+                point.x >= site.low[0] && point.x <= site.high[0] && point.y >= site.low[1] && point.y <= site.high[1];
+            return is_on_site ? look.cut : look.paper;
+        }
+        near_cell = cell;
+    }
+    return radiance(job, scene, point, direction, near_cell, sampler, events);
+}
+
+template <class Events>
+void look_rows(const detail::TileJob& job, Events& events) {
+    const accel::SceneView scene = *job.scene;
+    const CameraFrame camera = *job.camera;
+    const int side = job.samples_a_side;
+    const float step = 1.0f / static_cast<float>(side);
+    std::uint32_t near_cell = no_section;
+    for (int y = job.y0; y < job.y1; ++y) {
+        for (int x = job.x0; x < job.x1; ++x) {
+            Sampler sampler(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+            Vec3f sum = {0, 0, 0};
+            for (int k = 0; k < side * side; ++k) {
+                const Vec3f direction =
+                    camera.direction(static_cast<float>(x) + (static_cast<float>(k % side) + 0.5f) * step,
+                                     static_cast<float>(y) + (static_cast<float>(k / side) + 0.5f) * step);
+                sum = sum + (job.is_cut
+                                 ? cut_radiance(job, scene, direction, near_cell, sampler, events)
+                                 : radiance(job, scene, camera.origin, direction, job.start_cell, sampler, events));
+            }
+            store(job, x, y, (step * step) * sum);
+        }
+    }
+}
+
+template <class T, class Events>
+void trace_each(const detail::RayJob& job, Events& events) {
+    const accel::SceneView scene = *job.scene;
+    for (std::uint64_t i = 0; i < job.count; ++i) {
+        const RayQuery& query = job.rays[i];
+        RayHit& hit = job.hits[i];
+        hit.throughput = {1, 1, 1};
+        hit.cell = query.cell;
+        hit.status = WalkStatus::Refused;
+        Ray<T> ray;
+        if (!make_ray(vec_cast<T>(query.origin), vec_cast<T>(query.direction), ray) ||
+            !(query.max_distance == query.max_distance))
+            continue;
+        const T metres = length(ray.direction);
+        const T limit = static_cast<T>(query.max_distance) / metres;
+        const bool is_limited = query.max_distance < 1e30;
+        const auto cell = static_cast<std::uint32_t>(query.cell);
+        const WalkEnd<T> end = is_limited ? walk(scene, ray, cell, Limit<T>{limit}, hit.throughput, events)
+                                          : walk(scene, ray, cell, NoLimit{}, hit.throughput, events);
+        hit.status = end.status;
+        hit.source_face = static_cast<accel::SourceFaceId>(end.target.bits);
+        hit.cell = static_cast<accel::CellId>(end.cell);
+        hit.exit = end.exit;
+        hit.section = end.section;
+        hit.face = end.face;
+        hit.distance = end.status == WalkStatus::Reached ? query.max_distance
+                                                         : static_cast<double>(parameter(scene, ray, end) * metres);
+    }
+}
+
+template <class Job, class Body>
+void counted(const Job& job, const Body& body) {
+    NoEvents none;
+    if (job.stats != nullptr) body(*job.stats);
+    else body(none);
+}
+
+void lambert_tile(const detail::TileJob& job) {
+    counted(job, [&](auto& events) { lambert_rows(job, events); });
+}
+
+void look_tile(const detail::TileJob& job) {
+    counted(job, [&](auto& events) { look_rows(job, events); });
+}
+
+void rays_float(const detail::RayJob& job) {
+    counted(job, [&](auto& events) { trace_each<float>(job, events); });
+}
+
+void rays_double(const detail::RayJob& job) {
+    counted(job, [&](auto& events) { trace_each<double>(job, events); });
+}
+
+}  // namespace
+}  // namespace ENFILADE_ISA
+}  // namespace enfilade::render

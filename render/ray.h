@@ -1,0 +1,74 @@
+#pragma once
+// A ray as the walk reads it: its line, and how ties on that line are broken.
+
+#include <cstdint>
+
+#include "accel/host_device.h"
+#include "render/isa.h"
+#include "render/math.h"
+#include "render/vec.h"
+
+namespace enfilade::render {
+inline namespace ENFILADE_ISA {
+
+/// Whether a zero side counts as positive: the sign it has when every vertical line is shifted by (e, e^2) for a
+/// vanishing e. The reversed ray has the other answer, so it crosses the reversed cells.
+template <class T>
+ENFILADE_HD bool zero_side_is_positive(T dx, T dy) {
+    return dy < T(0) || (dy == T(0) && dx > T(0));
+}
+
+/// A line in 2D by its Plücker coordinates, negated as a whole where a zero side counts as positive: then
+/// "positive" is `side <= 0` of what is stored here, and one strict comparison decides all cases.
+template <class T>
+struct Ray {
+    Vec<T> origin;            ///< metres, scene frame
+    Vec<T> direction;         ///< scaled by a power of two so that its largest component is in [1, 2)
+    T line_dx;                ///< +- direction.x
+    T line_minus_dy;          ///< -+ direction.y
+    T line_moment;            ///< +- (origin.x direction.y - origin.y direction.x)
+    T line_sign;              ///< + or - 1
+    std::uint32_t zero_mask;  ///< all ones where the line is negated
+};
+
+/// On which side of the ray the vertical line (x, y) passes: positive to the left, negated with the line. The one
+/// side-test function: every cell and section evaluates a vertical line by these operations on these numbers.
+template <class T>
+ENFILADE_HD T line_side(const Ray<T>& ray, T x, T y) {
+    return fused(y, ray.line_dx, fused(x, ray.line_minus_dy, ray.line_moment));
+}
+
+/// a b - c d to 1.5 ulp (Kahan), antisymmetric in exchanging the products.
+template <class T>
+ENFILADE_HD T difference_of_products(T a, T b, T c, T d) {
+    const T cd = c * d;
+    const T error = fused(-c, d, cd);
+    return fused(a, b, -cd) + error;
+}
+
+/// \pre all numbers finite, the largest component of direction within 2^-60 and 2^60: what a camera gives.
+template <class T>
+ENFILADE_HD Ray<T> make_ray_unchecked(Vec<T> origin, Vec<T> direction) {
+    const bool negate = zero_side_is_positive(direction.x, direction.y);
+    const T sign = negate ? T(-1) : T(1);
+    const T moment = difference_of_products(origin.x, direction.y, origin.y, direction.x);
+    return {origin, direction, sign * direction.x, -sign * direction.y, sign * moment, sign, negate ? ~0u : 0u};
+}
+
+/// The ray from any finite, non-zero direction, denormal and huge ones included; false (and no ray) for others. The
+/// comparisons are written so that NaN fails them.
+template <class T>
+ENFILADE_HD bool make_ray(Vec<T> origin, Vec<T> direction, Ray<T>& ray) {
+    const T ax = magnitude(direction.x), ay = magnitude(direction.y), az = magnitude(direction.z);
+    const bool is_finite = ax <= T(1e37) && ay <= T(1e37) && az <= T(1e37) && magnitude(origin.x) <= T(1e12) &&
+                           magnitude(origin.y) <= T(1e12) && magnitude(origin.z) <= T(1e12);
+    const T largest = larger(larger(ax, ay), az);
+    if (!is_finite || !(largest > T(0))) return false;
+    const int exponent = exponent_of(largest);
+    direction = {scaled(direction.x, -exponent), scaled(direction.y, -exponent), scaled(direction.z, -exponent)};
+    ray = make_ray_unchecked(origin, direction);
+    return true;
+}
+
+}  // namespace ENFILADE_ISA
+}  // namespace enfilade::render
