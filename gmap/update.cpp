@@ -73,4 +73,13 @@ void update_cells(Map& map, int i, std::span<const DartId> touched, Changes& cha
     }
 }
 
+void number_cells(Map& map) {
+    for (int i = 0; i < 4; ++i)
+        for (const DartId d : map.darts()) {
+            if (MapAccess::cell(map, i, d) != none_u32) continue;
+            const std::uint32_t id = MapAccess::new_cell(map, i);
+            for (const DartId x : Orbit(map, d, cell_generators(i))) MapAccess::cell(map, i, x) = id;
+        }
+}
+
 }  // namespace enfilade::gmap::detail

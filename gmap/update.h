@@ -17,4 +17,8 @@ namespace enfilade::gmap::detail {
 void update_cells(Map& map, int i, std::span<const DartId> touched, Changes& changes,
                   std::span<const std::uint32_t> lost = {});
 
+/// Numbers all cells from the orbits, in the order of their first darts. \pre no dart has a cell, and no cell is
+/// counted.
+void number_cells(Map& map);
+
 }  // namespace enfilade::gmap::detail
