@@ -7,6 +7,7 @@
 
 #include "accel/scene.h"
 #include "render/isa.h"
+#include "render/left_bits.h"
 #include "render/ray.h"
 #include "render/walk_events.h"
 
@@ -116,31 +117,61 @@ ENFILADE_HD_COLD SectionExit<T> resolve_exit(const accel::SceneView& scene, cons
     return accepting > 0 ? farthest : nearest_miss;
 }
 
+ENFILADE_HD std::uint32_t lowest_bit(std::uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    return static_cast<std::uint32_t>(__ffs(static_cast<int>(bits)) - 1);
+#else
+    return static_cast<std::uint32_t>(__builtin_ctz(bits));
+#endif
+}
+
+/// The one section that has its beginning on the right of the ray and its end on the left, counted from the cell's
+/// first; `no_section` if there is none or more than one.
+template <class T>
+ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
+                                         std::uint32_t count) {
+    const float* xs = scene.section_x.first + first;
+    const float* ys = scene.section_y.first + first;
+    if (count <= bit_sections) {
+        const std::uint32_t bits = left_bits(ray, xs, ys, count) ^ ray.zero_mask;
+        const std::uint32_t all = ~0u >> (bit_sections - count);
+        const std::uint32_t next_bits = (bits & all) >> 1 | (bits & 1u) << (count - 1);
+        const std::uint32_t accepting = ~bits & next_bits;
+        return accepting != 0 && (accepting & (accepting - 1)) == 0 ? lowest_bit(accepting) : no_section;
+    }
+    std::uint32_t found = no_section, found_count = 0;
+    std::uint32_t first_bit = 0, bit_before = 1;  // nothing ends before the first section
+    for (std::uint32_t begin = 0; begin < count; begin += bit_sections) {
+        const std::uint32_t size = count - begin < bit_sections ? count - begin : bit_sections;
+        const std::uint32_t bits = left_bits(ray, xs + begin, ys + begin, size) ^ ray.zero_mask;
+        if (begin == 0) first_bit = bits & 1u;
+        if (begin > 0 && bit_before == 0 && (bits & 1u) != 0) {
+            found = begin - 1;
+            ++found_count;
+        }
+        const std::uint32_t inner = ~0u >> (bit_sections - size) >> 1;
+        std::uint32_t accepting = ~bits & bits >> 1 & inner;
+        for (; accepting != 0; accepting &= accepting - 1) {
+            found = begin + lowest_bit(accepting);
+            ++found_count;
+        }
+        bit_before = bits >> (size - 1) & 1u;
+    }
+    if (bit_before == 0 && first_bit != 0) {
+        found = count - 1;
+        ++found_count;
+    }
+    return found_count == 1 ? found : no_section;
+}
+
 /// Step 1: the exit section, by one side test a vertical line; consecutive sections share theirs.
 template <class T, class Events>
 ENFILADE_HD SectionExit<T> find_section(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
                                         std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
                                         Events& events) {
-    if (count <= bit_sections) {
-        std::uint32_t bits = 0;  // bit i: vertical line i passes on the left
-        const float* xs = scene.section_x.first + first;
-        const float* ys = scene.section_y.first + first;
-        for (std::uint32_t i = 0; i < count; ++i)
-            bits |= static_cast<std::uint32_t>(line_side(ray, T(xs[i]), T(ys[i])) > T(0)) << i;
-        bits ^= ray.zero_mask;
-        const std::uint32_t all = ~0u >> (bit_sections - count);
-        const std::uint32_t rotated = (bits & all) >> 1 | (bits & 1u) << (count - 1);
-        const std::uint32_t accepting = ~bits & rotated;
-        if (accepting != 0 && (accepting & (accepting - 1)) == 0) {
-#if defined(__CUDA_ARCH__)
-            const std::uint32_t i = static_cast<std::uint32_t>(__ffs(static_cast<int>(accepting)) - 1);
-#else
-            const std::uint32_t i = static_cast<std::uint32_t>(__builtin_ctz(accepting));
-#endif
-            return section_exit(scene, ray, first + i, first + (i + 1 == count ? 0 : i + 1));
-        }
-    }
-    return resolve_exit(scene, ray, first, count, entry, entry_next, events);
+    const std::uint32_t i = only_accepting(scene, ray, first, count);
+    if (i == no_section) return resolve_exit(scene, ray, first, count, entry, entry_next, events);
+    return section_exit(scene, ray, first + i, i + 1 == count ? first : first + i + 1);
 }
 
 /// Step 2: the face in the exit section's stack, bottom-up, without division. Equality counts as above: every level is
