@@ -10,6 +10,7 @@
 #include "tools/exit_code.h"
 #include "tools/findings_text.h"
 #include "tools/model.h"
+#include "tools/output_file.h"
 #include "tools/scene_summary.h"
 
 namespace enfilade::tools {
@@ -25,6 +26,7 @@ struct Built {
 };
 
 Built build_scene(const BuildCommandOptions& options, const Console& console) {
+    const std::filesystem::path output = output_path(options.output);
     std::vector<std::string> steps = {"Reading the plan"};
     steps.insert(steps.end(), model_steps.begin(), model_steps.end());
     steps.insert(steps.end(), {"Laying out the scene", "Writing"});
@@ -38,8 +40,9 @@ Built build_scene(const BuildCommandOptions& options, const Console& console) {
         if (has_defects(built.modelled.report, options.strict) && !options.keep_going) return;
         built.scene =
             modeler::export_scene(built.modelled.building, built.modelled.report, built.modelled.options_json);
+        if (options.strip) built.scene = accel::strip(built.scene);
         progress.next();
-        accel::write(built.scene, options.output);
+        accel::write(built.scene, output);
     });
     return built;
 }

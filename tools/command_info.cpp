@@ -81,6 +81,9 @@ Json counts_by_name(const std::array<std::uint64_t, Count>& counts, Name name) {
         if (counts[k] > 0) json[name(k)] = counts[k];
     return json;
 }
+bool is_opening(accel::Label label) {
+    return label == accel::Label::Door || label == accel::Label::Window || label == accel::Label::Opening;
+}
 const char* label_name(std::size_t label) { return accel::name_of(accel::Label(label)); }
 const char* kind_name(std::size_t kind) { return accel::name_of(accel::PortalKind(kind)); }
 
@@ -98,14 +101,19 @@ Json info_json(const std::string& file, const accel::Scene& scene, const Info& i
     json["bytes_per_cell"] = info.stats.bytes_per_cell();
     json["graph"] = {{"nodes", info.stats.cells}, {"edges", info.stats.portals}, {"components", info.components}};
     json["rooms"] = Json::array();
+    json["openings"] = Json::array();
     for (std::size_t s = 0; s < view.spaces.size(); ++s) {
         const accel::Space& space = view.spaces[s];
-        if (space.label != accel::Label::Room) continue;
-        Json room = {{"id", view.string(space.id)}, {"name", view.string(space.name)}};
-        room["storey"] = view.string(space.storey);
-        room["area_m2"] = space.area_m2;
-        room["cells"] = info.space_cells[s];
-        json["rooms"].push_back(std::move(room));
+        Json place = {
+            {"id", view.string(space.id)}, {"name", view.string(space.name)}, {"storey", view.string(space.storey)}};
+        place["cells"] = info.space_cells[s];
+        if (space.label == accel::Label::Room) {
+            place["area_m2"] = space.area_m2;
+            json["rooms"].push_back(std::move(place));
+        } else if (is_opening(space.label) && info.space_cells[s] > 0) {
+            place["label"] = accel::name_of(space.label);
+            json["openings"].push_back(std::move(place));
+        }
     }
     json["certificate"] = nullptr;
     if (info.certificate) {

@@ -43,6 +43,7 @@ struct BuildCommandOptions {
     std::filesystem::path report;  ///< .json or .txt; empty: none
     ModelOptions model;
     bool keep_going = false;
+    bool strip = false;
     bool strict = false;
 };
 int run_build(const BuildCommandOptions& options, const Console& console);
@@ -70,6 +71,8 @@ struct RenderOptions {
     std::uint32_t samples = 1;
     std::uint32_t threads = 0;  ///< 0: all
 };
+/// What --camera takes.
+[[nodiscard]] std::string camera_help();
 int run_render(const RenderOptions& options, const Console& console);
 
 struct ExportOptions {

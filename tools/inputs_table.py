@@ -18,7 +18,8 @@ def run(*words):
 
 
 def row_of(enfilade, file, name, scratch):
-    code, out, error = run(enfilade, "import", file, "-o", scratch / "plan.json", "--json")
+    imported = scratch / "plan.json"
+    code, out, error = run(enfilade, "import", file, "-o", imported, "--json")
     if code > 1:
         return [name] + [""] * 8 + [f"refused: {error.removeprefix('enfilade: ').replace(str(file), name)}"]
     plan = json.loads(out)["plan"]
@@ -28,8 +29,10 @@ def row_of(enfilade, file, name, scratch):
         return [name, plan["walls"]] + [""] * 7 + [f"refused: {error.removeprefix('enfilade: ').replace(str(file), name)}"]
     built = json.loads(out)
     findings = built["check"]["findings"]
-    rooms = json.loads(run(enfilade, "info", scene, "--json")[1])["rooms"]
-    placed = json.loads(run(enfilade, "info", scene, "--json")[1])["openings"]
+    info = json.loads(run(enfilade, "info", scene, "--json")[1])
+    rooms = info["rooms"]
+    asked = {opening["id"] for storey in json.loads(imported.read_text())["storeys"] for opening in storey.get("openings", [])}
+    placed = len(asked & {opening["id"] for opening in info["openings"]})
     repairs = sum(f["code"].startswith("P") and f["severity"] != "error" for f in findings)
     errors = Counter(f["code"] for f in findings if f["severity"] == "error")
     defects = ", ".join(f"{code} x{count}" if count > 1 else code for code, count in sorted(errors.items())) or "none: sound"

@@ -102,6 +102,8 @@ void add_build(CLI::App& app, Invocation& invocation, BuildCommandOptions& optio
     command->add_option("-o,--output", options.output, "the scene file to write (.enf)")->required();
     add_model_flags(command, options.model);
     command->add_flag("--keep-going", options.keep_going, "write the scene even where the check finds errors");
+    command->add_flag("--strip", options.strip,
+                      "leave out the model group: a smaller file that can be traced, but not checked");
     command->add_option("--report", options.report, "write all findings to this file (.txt or .json)");
     add_strict(command, options.strict);
 }

@@ -13,16 +13,22 @@ namespace enfilade::tools {
 
 namespace fs = std::filesystem;
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-    const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+fs::path output_path(const fs::path& path) {
     std::error_code ignored;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
         throw IoError("The folder " + folder.string() + " does not exist: make it, or choose another place for " +
-                      path_.filename().string() + ".");
-    if (path_.filename().empty() || fs::is_directory(path_, ignored))
-        throw IoError(path_.string() + " is a folder: give the name of a file.");
-    temporary_ = folder / (".enfilade-" + std::to_string(getpid()) + "-" + path_.filename().string());
+                      path.filename().string() + ".");
+    if (path.filename().empty() || fs::is_directory(path, ignored))
+        throw IoError(path.string() + " is a folder: give the name of a file.");
+    if (!fs::exists(path, ignored)) return path;
+    if (!fs::is_regular_file(path, ignored)) throw IoError(path.string() + " is not a file: give the name of one.");
+    return fs::canonical(path);
 }
+
+OutputFile::OutputFile(const fs::path& path)
+    : path_(output_path(path)),
+      temporary_(path_.parent_path() / (".enfilade-" + std::to_string(getpid()) + "-" + path_.filename().string())) {}
 
 OutputFile::~OutputFile() {
     std::error_code ignored;
