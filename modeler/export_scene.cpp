@@ -19,9 +19,18 @@ constexpr std::uint32_t no_index = UINT32_MAX;
 /// What one edge of a cell's floor shows between two levels: a portal, or a solid of one surface and material.
 struct SideRun {
     std::int32_t z_low, z_high;
-    accel::InputTarget target;
-    Surface surface = Surface::WallPaper;
+    std::uint32_t neighbour = no_index;  ///< cell behind a portal
+    PortalKind portal = PortalKind::Clear;
+    Surface surface = Surface::WallPaper;  ///< of a solid, like `material`
     std::uint32_t material = 0;
+    std::uint32_t source = no_index;  ///< source face of a solid
+
+    [[nodiscard]] bool is_portal() const { return neighbour != no_index; }
+    /// Whether both show the same: one face where they touch.
+    [[nodiscard]] bool like(const SideRun& other) const {
+        return neighbour == other.neighbour && portal == other.portal && surface == other.surface &&
+               material == other.material && source == other.source;
+    }
 };
 
 /// Solid runs with equal keys, one starting where the other ends, are one face of the building before its cuts.
@@ -57,6 +66,7 @@ public:
         add_floors_and_ceilings();
         find_side_runs();
         chain_solid_runs();
+        join_sections();
         add_sections();
         add_spaces();
         input_.materials = materials_.take();
@@ -83,11 +93,12 @@ private:
         for (std::size_t e = 1; e < first_face_.size(); ++e) first_face_[e] += first_face_[e - 1];
     }
 
-    std::uint32_t portal(std::uint32_t a, std::uint32_t b, PortalKind kind) {
-        const std::uint32_t front = std::min(cell_of_[a], cell_of_[b]), back = std::max(cell_of_[a], cell_of_[b]);
-        const std::uint64_t key = std::uint64_t(front) << 32 | back;
-        const auto [at, is_new] = portal_ids_[std::size_t(kind)].try_emplace(key, std::uint32_t(input_.portals.size()));
-        if (is_new) input_.portals.push_back({front, back, kind, kind == PortalKind::Glass ? glass_tint : clear_tint});
+    /// The portal of a face between two cells, the same number from both sides: `key` says which face.
+    std::uint32_t portal(std::uint64_t key, std::uint32_t a, std::uint32_t b, PortalKind kind) {
+        const auto [at, is_new] = portal_ids_.try_emplace(key, std::uint32_t(input_.portals.size()));
+        if (is_new)
+            input_.portals.push_back(
+                {std::min(a, b), std::max(a, b), kind, kind == PortalKind::Glass ? glass_tint : clear_tint});
         return at->second;
     }
 
@@ -123,7 +134,7 @@ private:
                     accel::InputTarget& target =
                         is_floor ? input_.cells[cell_of_[v]].floor : input_.cells[cell_of_[v]].ceiling;
                     if (const FaceKind kind = face_kind(building_, openings_, face); kind.is_portal) {
-                        target = {true, portal(v, behind, kind.portal)};
+                        target = {true, portal(level_key | f, cell_of_[v], cell_of_[behind], kind.portal)};
                         continue;
                     }
                     if (source == no_index) {
@@ -183,26 +194,21 @@ private:
             if ((half_edge % 2 == 0 ? face.front : face.back) != v) continue;
             const std::uint32_t behind = half_edge % 2 == 0 ? face.back : face.front;
             const FaceKind kind = face_kind(building_, openings_, face);
-            SideRun run{face.z_low, face.z_high, {}};
+            SideRun run{face.z_low, face.z_high};
             if (kind.is_portal) {
-                run.target = {true, portal(v, behind, kind.portal)};
+                run.neighbour = cell_of_[behind];
+                run.portal = kind.portal;
             } else {
                 const Volume& viewer = building_.volumes[v];
                 const Volume& back = building_.volumes[behind];
                 run.surface = kind.forced.value_or(surface(viewer.label, back.label, Looking::Sideways));
                 run.material = materials_.of(run.surface, viewer.space, back.space, building_.edges[edge].line);
             }
-            if (runs_.size() > first && continues(runs_.back(), run)) runs_.back().z_high = run.z_high;
+            if (runs_.size() > first && runs_.back().like(run)) runs_.back().z_high = run.z_high;
             else runs_.push_back(run);
         }
         ENFILADE_CHECK(runs_.size() > first);
     }
-    static bool continues(const SideRun& below, const SideRun& above) {
-        if (below.target.is_portal != above.target.is_portal) return false;
-        if (below.target.is_portal) return below.target.index == above.target.index;
-        return below.surface == above.surface && below.material == above.material;
-    }
-
     void chain_solid_runs() {
         struct Place {
             std::uint32_t run, end;
@@ -214,7 +220,7 @@ private:
                     const std::uint32_t at = first_corner_[cell] + k;
                     for (std::uint32_t r = first_run_[at]; r < first_run_[at + 1]; ++r) {
                         const SideRun& run = runs_[r];
-                        if (run.target.is_portal) continue;
+                        if (run.is_portal()) continue;
                         const std::uint32_t parent = building_.volumes[volume_of_[cell]].parent;
                         visit(cell, r,
                               ChainKey{parent, line_of(cell, k), run.material, corner_of(cell, k).vertex, run.z_low,
@@ -234,9 +240,9 @@ private:
         for_each_solid([&](std::uint32_t cell, std::uint32_t r, ChainKey key, std::uint32_t end) {
             if (has_before[r]) return;
             const std::uint32_t source = std::uint32_t(input_.source_faces.size()), begin = key.start;
-            runs_[r].target.index = source;
+            runs_[r].source = source;
             for (auto next = starting.end(); (key.start = end, next = starting.find(key)) != starting.end();) {
-                runs_[next->second.run].target.index = source;
+                runs_[next->second.run].source = source;
                 end = next->second.end;
             }
             add_side_face(building_.volumes[volume_of_[cell]].space, runs_[r], begin, end);
@@ -257,22 +263,50 @@ private:
         return std::span(runs_).subspan(first_run_[at], first_run_[at + 1] - first_run_[at]);
     }
 
-    /// Whether side k goes on where side k - 1 ends as one section: the same line and faces, and either exactly
-    /// straight or without a portal (both sides of a portal have to be cut at the same vertical lines).
-    [[nodiscard]] bool goes_on(std::uint32_t cell, std::uint32_t k) const {
-        const std::uint32_t n = piece_of(cell).corner_count, before = (k + n - 1) % n;
-        if (line_of(cell, before) != line_of(cell, k)) return false;
-        const auto a = runs_of(cell, before), b = runs_of(cell, k);
-        if (a.size() != b.size()) return false;
-        bool has_portal = false;
-        for (std::size_t r = 0; r < a.size(); ++r) {
-            if (a[r].z_high != b[r].z_high || a[r].target.is_portal != b[r].target.is_portal ||
-                a[r].target.index != b[r].target.index)
-                return false;
-            has_portal |= a[r].target.is_portal;
+    [[nodiscard]] std::uint32_t before(std::uint32_t cell, std::uint32_t k) const {
+        const std::uint32_t n = piece_of(cell).corner_count;
+        return (k + n - 1) % n;
+    }
+
+    /// Whether side k shows what side k - 1 shows, along one line.
+    [[nodiscard]] bool looks_alike(std::uint32_t cell, std::uint32_t k) const {
+        if (line_of(cell, before(cell, k)) != line_of(cell, k)) return false;
+        const auto a = runs_of(cell, before(cell, k)), b = runs_of(cell, k);
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                          [](const SideRun& x, const SideRun& y) { return x.z_high == y.z_high && x.like(y); });
+    }
+
+    /// The corner of a cell from which a half-edge leaves.
+    [[nodiscard]] std::uint32_t corner_leaving(std::uint32_t cell, std::uint32_t half_edge) const {
+        std::uint32_t k = 0;
+        while (corner_of(cell, k).half_edge != half_edge) ++k;
+        return k;
+    }
+
+    /// Side k goes on where side k - 1 ends, as one section, where both look alike and so they do from behind each of
+    /// their portals: both cells of a portal are cut at the same vertical lines.
+    void join_sections() {
+        goes_on_.resize(first_corner_.back());
+        std::vector<std::array<std::uint32_t, 2>> refused;
+        for (std::uint32_t cell = 0; cell < input_.cells.size(); ++cell)
+            for (std::uint32_t k = 0; k < piece_of(cell).corner_count; ++k) {
+                goes_on_[first_corner_[cell] + k] = looks_alike(cell, k);
+                if (!looks_alike(cell, k)) refused.push_back({cell, k});
+            }
+        while (!refused.empty()) {
+            const auto [cell, k] = refused.back();
+            refused.pop_back();
+            for (const SideRun& run : runs_of(cell, k)) {
+                if (!run.is_portal()) continue;
+                // Behind a portal the sides run the other way: the corner after ours is theirs before.
+                const std::uint32_t behind = corner_leaving(run.neighbour, corner_of(cell, k).half_edge ^ 1);
+                const std::uint32_t joint = (behind + 1) % piece_of(run.neighbour).corner_count;
+                const auto at = goes_on_.begin() + std::ptrdiff_t(first_corner_[run.neighbour] + joint);
+                if (!*at) continue;
+                *at = false;
+                refused.push_back({run.neighbour, joint});
+            }
         }
-        const auto point = [&](std::uint32_t i) { return building_.points[corner_of(cell, i).vertex]; };
-        return !has_portal || orientation(point(before), point(k), point(k + 1)) == 0;
     }
 
     void add_sections() {
@@ -280,12 +314,23 @@ private:
             input_.cells[cell].first_section = std::uint32_t(input_.sections.size());
             const std::uint32_t n = piece_of(cell).corner_count;
             for (std::uint32_t k = 0; k < n; ++k) {
-                if (goes_on(cell, k)) continue;
+                if (goes_on_[first_corner_[cell] + k]) continue;
                 const plans::GridPoint p = building_.points[corner_of(cell, k).vertex];
                 input_.sections.push_back({p.x, p.y, std::uint32_t(input_.side_faces.size())});
-                for (const SideRun& run : runs_of(cell, k)) input_.side_faces.push_back({run.z_high, run.target});
+                // A section is known from both sides by the least edge under it.
+                std::uint32_t edge = corner_of(cell, k).half_edge / 2;
+                for (std::uint32_t j = (k + 1) % n; goes_on_[first_corner_[cell] + j]; j = (j + 1) % n)
+                    edge = std::min(edge, corner_of(cell, j).half_edge / 2);
+                for (const SideRun& run : runs_of(cell, k))
+                    input_.side_faces.push_back({run.z_high, target_of(cell, edge, run)});
             }
         }
+    }
+
+    accel::InputTarget target_of(std::uint32_t cell, std::uint32_t edge, const SideRun& run) {
+        if (!run.is_portal()) return {false, run.source};
+        const std::uint64_t key = std::uint64_t(edge) << 32 | std::uint32_t(run.z_low);
+        return {true, portal(key, cell, run.neighbour, run.portal)};
     }
 
     void add_spaces() {
@@ -297,6 +342,7 @@ private:
         }
     }
 
+    static constexpr std::uint64_t level_key = std::uint64_t(no_index) << 32;  ///< beyond all edges
     static constexpr std::array<float, 3> glass_tint = {0.92f, 0.96f, 0.97f};
     static constexpr std::array<float, 3> clear_tint = {1, 1, 1};
 
@@ -304,14 +350,15 @@ private:
     OpeningFaces openings_;
     Materials materials_;
     accel::SceneInput input_;
-    std::vector<std::uint32_t> cell_of_;          ///< [volume]
-    std::vector<std::uint32_t> volume_of_;        ///< [cell]
-    std::vector<std::uint32_t> first_face_;       ///< [edge + 1] side faces over an edge
-    std::vector<std::uint32_t> floor_, ceiling_;  ///< [cell] a face of the map
-    std::array<std::unordered_map<std::uint64_t, std::uint32_t>, 3> portal_ids_;
+    std::vector<std::uint32_t> cell_of_;                           ///< [volume]
+    std::vector<std::uint32_t> volume_of_;                         ///< [cell]
+    std::vector<std::uint32_t> first_face_;                        ///< [edge + 1] side faces over an edge
+    std::vector<std::uint32_t> floor_, ceiling_;                   ///< [cell] a face of the map
+    std::unordered_map<std::uint64_t, std::uint32_t> portal_ids_;  ///< by edge and level, or by horizontal face
     std::vector<SideRun> runs_;
     std::vector<std::uint32_t> first_run_;     ///< [corner + 1]
     std::vector<std::uint32_t> first_corner_;  ///< [cell + 1] into first_run_
+    std::vector<bool> goes_on_;                ///< [corner] its side is part of the section before it
 };
 
 }  // namespace
