@@ -264,6 +264,10 @@ constexpr int opened_dimension(int i) {
 void Scanner::note_dart(std::uint32_t d) {
     const std::uint32_t* alpha[4] = {a0_, a1_, a2_, a3_};
     const std::uint32_t* cell[4] = {vertex_, edge_, face_, volume_};
+    // An id that only stray darts carry was met by no walk: it belongs to the piece it strayed into.
+    for (int i = 0; i < 4 && result_.piece_of_volume[volume_[d]] == none_u32; ++i)
+        result_.piece_of_volume[volume_[d]] = result_.piece_of_volume[volume_[alpha[i][d]]];
+    if (result_.piece_of_volume[volume_[d]] == none_u32) result_.piece_of_volume[volume_[d]] = 0;
     for (int i = 0; i < 4; ++i) {
         const std::uint32_t image = alpha[i][d];
         if (image == d) suspect(Reason::Free, opened_dimension(i), cell[opened_dimension(i)][d], d, i);

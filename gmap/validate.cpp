@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -103,6 +104,8 @@ public:
         const auto key = [](const Suspect& s) { return std::tuple(s.reason, s.dimension, s.cell, s.dart); };
         std::sort(suspects.begin(), suspects.end(),
                   [&](const Suspect& a, const Suspect& b) { return key(a) < key(b); });
+        for (const Suspect& suspect : suspects)
+            if (suspect.reason == Reason::VolumeManyOrbits) torn_.insert(suspect.cell);
         const Suspect* before = nullptr;
         for (Suspect& suspect : suspects) {
             const bool is_same = before != nullptr && before->reason == suspect.reason &&
@@ -118,7 +121,7 @@ public:
 
 private:
     void judge(Suspect& suspect) {
-        if (is_blamed(suspect)) {
+        if (is_blamed(suspect) || is_torn(suspect)) {
             ++result_.suppressed;
             return;
         }
@@ -129,6 +132,16 @@ private:
     [[nodiscard]] bool is_blamed(const Suspect& suspect) const {
         return suspect.dimension == 4 ? piece_blamed_[suspect.cell] != 0
                                       : blamed_[suspect.dimension][suspect.cell] != 0;
+    }
+
+    /// A volume id with several shells meets itself wherever they touch; that it has several says it all.
+    [[nodiscard]] bool is_torn(const Suspect& suspect) const {
+        switch (suspect.reason) {
+            case Reason::EdgeTwiceOnShell:
+            case Reason::VertexTwiceOnShell: return torn_.contains(static_cast<std::uint32_t>(suspect.value));
+            case Reason::FaceInOneVolume: return torn_.contains(map_.arrays().cell_id[3][suspect.dart]);
+            default: return false;
+        }
     }
 
     void blame_ids(std::uint32_t d) {
@@ -210,6 +223,7 @@ private:
     const Scan& scan_;
     std::array<std::vector<std::uint8_t>, 4> blamed_;
     std::vector<std::uint8_t> piece_blamed_;
+    std::set<std::uint32_t> torn_;
     std::array<std::vector<std::uint32_t>, 4> index_first_;
     std::array<std::vector<std::uint32_t>, 4> index_items_;
     Validation result_;
