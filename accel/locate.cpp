@@ -24,21 +24,22 @@ double side(const Edge& e, const Point& p) {
     return flipped ? -area : area;
 }
 
-/// The sign of `side` for p + (-e^2, -e^3).
-bool is_inside(const Edge& e, const Point& p) {
+/// Whether a half-line from p + (-e^2, -e^3) towards +x crosses the edge. Counting crossings instead of asking every
+/// half-plane: rounding to the grid may have bent a side inwards by a unit.
+bool is_crossed(const Edge& e, const Point& p) {
+    const bool upwards = e.by >= p[1];
+    if ((e.ay >= p[1]) == upwards) return false;
     const double s = side(e, p);
-    const double ey = e.by - e.ay;
-    return s > 0 || (s == 0 && (ey > 0 || (ey == 0 && e.bx < e.ax)));
+    return upwards ? s >= 0 : s <= 0;
 }
 
-template <class Test>
-bool every_edge(const SceneView& view, const Cell& cell, const Test& test) {
+template <class Visit>
+void for_each_edge(const SceneView& view, const Cell& cell, const Visit& visit) {
     for (std::uint32_t i = 0; i < cell.section_count; ++i) {
         const std::uint32_t a = cell.first_section + i;
         const std::uint32_t b = i + 1 == cell.section_count ? cell.first_section : a + 1;
-        if (!test(Edge{view.section_x[a], view.section_y[a], view.section_x[b], view.section_y[b]})) return false;
+        visit(Edge{view.section_x[a], view.section_y[a], view.section_x[b], view.section_y[b]});
     }
-    return true;
 }
 
 /// Calls visit(cell) for the cells in whose boxes, enlarged by `margin`, the point lies.
@@ -64,10 +65,9 @@ void visit_candidates(const SceneView& view, const Point& p, double margin, cons
 double depth(const SceneView& view, CellId id, const Point& p) {
     const Cell& cell = view.cells[index(id)];
     double least = std::min(p[2] - double{cell.z_floor}, double{cell.z_ceiling} - p[2]);
-    (void)every_edge(view, cell, [&](const Edge& e) {
+    for_each_edge(view, cell, [&](const Edge& e) {
         const double length = std::max(std::abs(e.bx - e.ax), std::abs(e.by - e.ay));
         if (length > 0) least = std::min(least, side(e, p) / length);
-        return true;
     });
     return least;
 }
@@ -76,8 +76,10 @@ double depth(const SceneView& view, CellId id, const Point& p) {
 
 bool contains(const SceneView& view, CellId id, const std::array<double, 3>& point) {
     const Cell& cell = view.cells[index(id)];
-    return point[2] >= double{cell.z_floor} && point[2] < double{cell.z_ceiling} &&
-           every_edge(view, cell, [&](const Edge& e) { return is_inside(e, point); });
+    if (!(point[2] >= double{cell.z_floor}) || !(point[2] < double{cell.z_ceiling})) return false;
+    bool inside = false;
+    for_each_edge(view, cell, [&](const Edge& e) { inside ^= is_crossed(e, point); });
+    return inside;
 }
 
 std::optional<CellId> locate(const SceneView& view, const std::array<double, 3>& point) {
