@@ -19,7 +19,8 @@ enum class OwnerKind : std::uint8_t { Exterior, Room, Wall, Opening, Column, Sta
 /// Who holds a face of the subdivision in one storey.
 struct Owner {
     OwnerKind kind = OwnerKind::Exterior;
-    std::uint32_t element = 0;  ///< index into the storey's walls, openings, columns, stairs, shafts; `FoundRoom` for rooms and stairs' rooms
+    std::uint32_t element = 0;  ///< index into the storey's walls, openings, columns, stairs, shafts; `FoundRoom` for
+                                ///< rooms and stairs' rooms
     friend bool operator==(const Owner&, const Owner&) = default;
     friend auto operator<=>(const Owner&, const Owner&) = default;
 };
@@ -34,8 +35,8 @@ struct FoundRoom {
 };
 
 struct StoreyLayout {
-    std::uint32_t plan_storey = 0;    ///< index into Plan::storeys
-    std::vector<Owner> owner;         ///< [face_count]; face 0 is beyond the site box
+    std::uint32_t plan_storey = 0;  ///< index into Plan::storeys
+    std::vector<Owner> owner;       ///< [face_count]; face 0 is beyond the site box
     std::vector<FoundRoom> rooms;
     /// Stairs and shafts that open the slab above this storey over a face: index into stairs, or into shafts after
     /// all stairs (stairs.size() + k); none: UINT32_MAX. Walls of this storey and the next are never open.
@@ -54,10 +55,11 @@ struct LineSource {
 
 struct Layout {
     GridFrame frame;
-    NodedGraph graph;                ///< its segments are internal to `arrange`
+    NodedGraph graph;  ///< its segments are internal to `arrange`
     PlanarMap map;
-    std::vector<LineId> edge_line;   ///< [graph.edges.size()]
-    std::vector<LineSource> lines;   ///< by LineId
+    std::vector<LineId> edge_line;  ///< [graph.edges.size()]
+    std::vector<LineId> use_line;   ///< [graph.uses.size()] each use's own line: what a storey alone sees of an edge
+    std::vector<LineSource> lines;  ///< by LineId
     std::vector<StoreyLayout> storeys;  ///< by ascending elevation
     GridPoint site_min;
     GridPoint site_max;
@@ -65,9 +67,9 @@ struct Layout {
 };
 
 struct ArrangeOptions {
-    double snap_mm = 1000.0 / 8192;   ///< grid unit; rounded down to a power of two of a metre
-    bool snap_fixed = false;          ///< the user asked for it: refuse rather than coarsen
-    double sagitta_mm = 2;            ///< largest chord error of arcs
+    double snap_mm = 1000.0 / 8192;      ///< grid unit; rounded down to a power of two of a metre
+    bool snap_fixed = false;             ///< the user asked for it: refuse rather than coarsen
+    double sagitta_mm = 2;               ///< largest chord error of arcs
     std::vector<std::uint32_t> storeys;  ///< indices into Plan::storeys; empty: all
 };
 
