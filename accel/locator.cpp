@@ -9,7 +9,7 @@ namespace {
 
 class LocatorBuilder {
 public:
-    explicit LocatorBuilder(const SceneView& view) : view_(view), boxes_(view.cells.size()) {
+    explicit LocatorBuilder(const SceneView& view) : boxes_(view.cells.size()) {
         for (std::size_t i = 0; i < view.cells.size(); ++i) {
             const Cell& cell = view.cells[i];
             Box& box = boxes_[i];
@@ -72,7 +72,6 @@ private:
         result_.nodes[node].skip = static_cast<std::uint32_t>(result_.nodes.size());
     }
 
-    const SceneView& view_;
     std::vector<Box> boxes_;
     Locator result_;
 };

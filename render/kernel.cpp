@@ -14,6 +14,8 @@ const Kernels& kernels() {
     return portable_kernels;
 }
 
+const Kernels& portable_kernel_set() { return portable_kernels; }
+
 std::uint32_t cell_at(const accel::SceneView& scene, const double* point) {
     const std::optional<accel::CellId> cell = accel::locate(scene, {point[0], point[1], point[2]});
     return static_cast<std::uint32_t>(cell.value_or(none<accel::CellId>));

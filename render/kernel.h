@@ -45,6 +45,9 @@ struct Kernels {
 /// Those for the machine that runs.
 [[nodiscard]] const Kernels& kernels();
 
+/// Those for any machine: what the tests compare with.
+[[nodiscard]] const Kernels& portable_kernel_set();
+
 /// accel::locate without std::optional: 2^32 - 1 where there is no cell. point: [3]
 [[nodiscard]] std::uint32_t cell_at(const accel::SceneView& scene, const double* point);
 

@@ -69,10 +69,8 @@ private:
             const double middle = wall + i * (room_width + wall) + 0.5 * room_width;
             const double half = openings == Openings::Doors ? 0.45 : 0.75;
             solid(x, y, middle - half, next);
-            if (openings == Openings::Doors)
-                add(middle - half, y, middle + half, next, 0, 2.1, Label::Door);
-            else
-                add(middle - half, y, middle + half, next, 0.9, 2.1, Label::Window);
+            if (openings == Openings::Doors) add(middle - half, y, middle + half, next, 0, 2.1, Label::Door);
+            else add(middle - half, y, middle + half, next, 0.9, 2.1, Label::Window);
             x = middle + half;
         }
         solid(x, y, width_, next);
@@ -92,10 +90,8 @@ private:
 
     double corridor(double y) {
         const double next = y + corridor_width;
-        if (options_.doors)
-            add(0, y, wall, next, 0, 2.1, Label::Door);
-        else
-            solid(0, y, wall, next);
+        if (options_.doors) add(0, y, wall, next, 0, 2.1, Label::Door);
+        else solid(0, y, wall, next);
         double x = wall;
         if (options_.storeys > 1) {
             add(x, y, x + stair_length, next, 0, ceiling_height, Label::Stair, true);
@@ -127,11 +123,11 @@ accel::SceneInput synthetic_corridor(int count) {
     std::vector<Plot> plots;
     std::uint32_t space = 0;
     for (int i = 0; i < count; ++i) {
-        const double x = 2.25 * (i - 0.5 * count);
-        plots.push_back({grid(x), grid(-1), grid(x + 2), grid(1), {{0, grid(2.5), Label::Room, space++}}});
+        const double x = 0.4 * (i - 0.5 * count);  // 10^4 of them still fit on the grid
+        plots.push_back({grid(x), grid(-1), grid(x + 0.3), grid(1), {{0, grid(2.5), Label::Room, space++}}});
         if (i + 1 < count)
             plots.push_back(
-                {grid(x + 2), grid(-0.5), grid(x + 2.25), grid(0.5), {{0, grid(2), Label::Door, space++}}});
+                {grid(x + 0.3), grid(-0.5), grid(x + 0.4), grid(0.5), {{0, grid(2), Label::Door, space++}}});
     }
     return scene_from_plots(plots);
 }

@@ -9,7 +9,6 @@
 #include <tuple>
 #include <utility>
 
-
 namespace enfilade::test {
 namespace {
 
@@ -65,8 +64,7 @@ private:
             for (std::size_t i = 0; i + 1 < east.size(); ++i) ring.push_back(turned({plot.x1, east[i]}));
             for (std::size_t i = north.size() - 1; i > 0; --i) ring.push_back(turned({north[i], plot.y1}));
             for (std::size_t i = west.size() - 1; i > 0; --i) ring.push_back(turned({plot.x0, west[i]}));
-            for (std::size_t i = 0; i < ring.size(); ++i)
-                plot_of_edge_[{ring[i], ring[(i + 1) % ring.size()]}] = p;
+            for (std::size_t i = 0; i < ring.size(); ++i) plot_of_edge_[{ring[i], ring[(i + 1) % ring.size()]}] = p;
             rings_.push_back(std::move(ring));
         }
     }
@@ -79,8 +77,7 @@ private:
         }
     }
 
-    InputTarget portal_between(std::uint32_t a, std::uint32_t b, const Layer& la, const Layer& lb,
-                               std::int64_t where) {
+    InputTarget portal_between(std::uint32_t a, std::uint32_t b, const Layer& la, const Layer& lb, std::int64_t where) {
         const auto key = std::tuple(std::min(a, b), std::max(a, b), where);
         const auto [found, is_new] = portals_.try_emplace(key, static_cast<std::uint32_t>(scene_.portals.size()));
         if (is_new) {
@@ -99,8 +96,8 @@ private:
     }
 
     InputTarget solid(Surface surface, std::uint32_t space, const std::vector<std::array<std::int32_t, 3>>& ring) {
-        scene_.source_faces.push_back({surface, space, static_cast<std::uint32_t>(surface),
-                                       static_cast<std::uint32_t>(scene_.vertices.size())});
+        scene_.source_faces.push_back(
+            {surface, space, static_cast<std::uint32_t>(surface), static_cast<std::uint32_t>(scene_.vertices.size())});
         scene_.vertices.insert(scene_.vertices.end(), ring.begin(), ring.end());
         return {false, static_cast<std::uint32_t>(scene_.source_faces.size() - 1)};
     }
@@ -124,12 +121,10 @@ private:
                              {}};
         if (l > 0 && stack[l - 1].z_ceiling == layer.z_floor)
             out.floor = portal_between(cell, cell - 1, layer, stack[l - 1], -1);
-        else
-            levels_[{layer.space, layer.z_floor, true}].push_back(cell);
+        else levels_[{layer.space, layer.z_floor, true}].push_back(cell);
         if (l + 1 < stack.size() && stack[l + 1].z_floor == layer.z_ceiling)
             out.ceiling = portal_between(cell, cell + 1, layer, stack[l + 1], -1);
-        else
-            levels_[{layer.space, layer.z_ceiling, false}].push_back(cell);
+        else levels_[{layer.space, layer.z_ceiling, false}].push_back(cell);
         scene_.cells.push_back(out);
         plot_of_cell_.push_back(p);
         const std::vector<Point>& ring = rings_[p];
