@@ -20,6 +20,9 @@ std::map<std::string, std::size_t> code_counts(const modeler::CheckReport& repor
     return counts;
 }
 
+/// Not for a stripped scene: there is no model in it to check.
+bool is_checked(const modeler::CheckReport& report) { return !report.codes_checked.empty(); }
+
 bool is_certified(const ReportSubject& subject) {
     return subject.certificate.empty() || subject.certificate == "certified";
 }
@@ -31,13 +34,16 @@ bool has_defects(const modeler::CheckReport& report, bool strict) {
 
 std::string report_text(const ReportSubject& subject, const modeler::CheckReport& report, std::size_t limit) {
     std::string text = findings_text(report.findings, limit);
-    std::string checked;
-    for (const std::string& code : report.codes_checked) checked += ' ' + code;
-    text += "Checked:" + checked + '\n';
+    if (is_checked(report)) {
+        text += "Checked:";
+        for (const std::string& code : report.codes_checked) text += ' ' + code;
+        text += '\n';
+    }
     if (report.suppressed > 0)
         text += counted(report.suppressed, "further finding") + " at cells that are already blamed left out.\n";
-    text += subject.input + ": " + (has_errors(report.findings) ? "not sound" : "sound") + ", " +
-            counts_text(report.findings);
+    text += subject.input + ": ";
+    text += !is_checked(report) ? "not checked" : has_errors(report.findings) ? "not sound" : "sound";
+    text += ", " + counts_text(report.findings);
     if (!subject.certificate.empty()) text += "; " + subject.certificate;
     return text + ".\n";
 }
@@ -45,7 +51,8 @@ std::string report_text(const ReportSubject& subject, const modeler::CheckReport
 nlohmann::ordered_json report_json(const ReportSubject& subject, const modeler::CheckReport& report) {
     const SeverityCounts counts = count(report.findings);
     nlohmann::ordered_json json = {{"program", "enfilade"}, {"version", version}, {"input", subject.input}};
-    json["sound"] = !has_errors(report.findings) && is_certified(subject);
+    json["sound"] = nullptr;
+    if (is_checked(report)) json["sound"] = !has_errors(report.findings) && is_certified(subject);
     json["certificate"] = nullptr;
     if (!subject.certificate.empty()) json["certificate"] = subject.certificate;
     json["counts"] = {

@@ -67,7 +67,8 @@ struct RenderOptions {
     std::string room;
     std::string size = "1024x1024";
     std::string tracer = "scalar";
-    double fov_deg = 0;  ///< 0: the view's own
+    std::string shading = "look";
+    std::optional<double> fov_deg;  ///< nothing: the view's own
     std::uint32_t samples = 1;
     std::uint32_t threads = 0;  ///< 0: all
 };

@@ -135,13 +135,19 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     CLI::Option* camera = command->add_option("--camera", options.camera, camera_help());
     command->add_option("--room", options.room, "look into the room of this name, from inside it")->excludes(camera);
     command->add_option("--size", options.size, "width x height in pixels (1024x1024)");
-    command->add_option("--fov-deg", options.fov_deg, "horizontal field of view in degrees (chosen by the view)")
+    command
+        ->add_option("--fov-deg", options.fov_deg, "field of view across the longer side, in degrees (the view's own)")
         ->check(CLI::Range(1.0, 170.0));
     command
         ->add_option("--tracer", options.tracer,
                      "scalar: through the cells (the usual case); oracle: every face against every ray, in double "
                      "precision, slow")
         ->check(CLI::IsMember({"scalar", "oracle"}));
+    command
+        ->add_option(
+            "--shading", options.shading,
+            "look: sun, sky and darkened corners (the usual case); lambert: one lamp at the eye, as the oracle has it")
+        ->check(CLI::IsMember({"look", "lambert"}));
     command->add_option("--samples", options.samples, "rays along each side of a pixel: 2 gives 4 a pixel (1)")
         ->check(CLI::Range(1u, 32u));
     command->add_option("--threads", options.threads, "how many cores to use (all)");

@@ -1,0 +1,193 @@
+// The dial: what each value of each option costs in time and memory, and what it errs. Errors are measured on the same
+// rays, in the frame of the plan, against the finest value of the option.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "accel/locate.h"
+#include "modeler/build.h"
+#include "modeler/check.h"
+#include "modeler/convexify.h"
+#include "modeler/export_scene.h"
+#include "plans/generate.h"
+#include "render/oracle.h"
+#include "tools/bench.h"
+#include "tools/random_rays.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+using render::Vec3d;
+
+struct Built {
+    accel::Scene scene;
+    double seconds = 0;
+    double moved_mm = 0;  ///< largest distance that a wall was moved by rounding
+};
+
+Built build_scene(const plans::Plan& plan, const plans::ArrangeOptions& arrange) {
+    Built built;
+    built.seconds = median_seconds(3, [&] {
+        modeler::BuildOptions options;
+        options.arrange = arrange;
+        const modeler::Building building = modeler::convexify(modeler::build(plan, options));
+        built.moved_mm = building.max_deviation * building.frame.unit * 1000;
+        built.scene = modeler::export_scene(building, modeler::check(building), "{}");
+    });
+    return built;
+}
+
+Vec3d origin_of(const accel::SceneView& scene) { return {scene.origin[0], scene.origin[1], scene.origin[2]}; }
+
+/// What a ray of the plan's frame sees.
+struct Seen {
+    std::string space;
+    accel::Surface surface = accel::Surface::Sky;
+    double distance = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the ray starts in a wall
+};
+
+Seen see(const accel::SceneView& scene, Vec3d origin, Vec3d direction) {
+    const Vec3d local = origin - origin_of(scene);
+    const std::optional<accel::CellId> cell = accel::locate(scene, {local.x, local.y, local.z});
+    if (!cell) return {};
+    const render::RayHit hit = render::trace_ray(scene, {local, direction, *cell}, render::Precision::Double);
+    if (hit.status != render::WalkStatus::Hit) return {};
+    const accel::SourceFace& face = scene.source_faces[index(hit.source_face)];
+    return {std::string(scene.string(scene.spaces[index(face.space)].id)), face.surface, hit.distance};
+}
+
+/// How far two scenes of one plan differ for the same rays.
+struct Error {
+    double wrong_per_million = 0;  ///< rays that see another space or another kind of surface
+    double median_mm = 0;          ///< of the distances of the others
+    double worst_mm = 0;           ///< of 99 % of them
+};
+
+Error error_between(const accel::SceneView& scene, const accel::SceneView& reference, std::size_t count) {
+    RandomRays rays(reference, 5);
+    std::vector<double> errors;
+    std::size_t wrong = 0;
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const render::RayQuery ray = rays.next();
+        const Vec3d origin = ray.origin + origin_of(reference);
+        const Seen right = see(reference, origin, ray.direction);
+        const Seen seen = see(scene, origin, ray.direction);
+        if (std::isnan(right.distance) || std::isnan(seen.distance)) continue;
+        ++compared;
+        if (seen.space != right.space || seen.surface != right.surface) ++wrong;
+        else errors.push_back(std::abs(seen.distance - right.distance) * 1000);
+    }
+    std::sort(errors.begin(), errors.end());
+    Error error;
+    if (compared == 0 || errors.empty()) return error;
+    error.wrong_per_million = double(wrong) * 1e6 / double(compared);
+    error.median_mm = errors[errors.size() / 2];
+    error.worst_mm = errors[errors.size() * 99 / 100];
+    return error;
+}
+
+std::string label(const char* option, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %.4g", option, value);
+    return text;
+}
+
+/// The rows of one value of an option.
+void add_rows(Bench& bench, const std::string& setting, const std::string& scene, const Built& built,
+              const Error& error) {
+    const auto add = [&](const char* what, double value, const char* unit) {
+        bench.add({.row = setting + ": " + what, .scene = scene, .value = value, .unit = unit});
+    };
+    add("time", built.seconds, "s");
+    add("memory", double(built.scene.bytes().size()) / 1e6, "MB");
+    add("cells", double(built.scene.view().cells.size()), "cells");
+    add("moved", built.moved_mm, "mm");
+    add("other surface", error.wrong_per_million, "per million");
+    add("distance, median", error.median_mm, "mm");
+    add("distance, 99 of 100", error.worst_mm, "mm");
+}
+
+void dial_snap(Bench& bench, const plans::Plan& plan, const std::string& name, std::size_t rays) {
+    plans::ArrangeOptions finest;
+    finest.snap_mm = 1000.0 / 65536;
+    const Built reference = build_scene(plan, finest);
+    for (int power = 15; power >= 5; power -= bench.quick() ? 4 : 2) {
+        plans::ArrangeOptions arrange;
+        arrange.snap_mm = std::ldexp(1000.0, -power);
+        arrange.snap_fixed = true;
+        const Built built = build_scene(plan, arrange);
+        add_rows(bench, label("snap_mm", arrange.snap_mm), name, built,
+                 error_between(built.scene.view(), reference.scene.view(), rays));
+    }
+}
+
+void dial_sagitta(Bench& bench, const plans::Plan& plan, const std::string& name, std::size_t rays) {
+    plans::ArrangeOptions finest;
+    finest.sagitta_mm = 0.05;
+    const Built reference = build_scene(plan, finest);
+    std::vector<double> values = {0.5, 2, 8, 32};
+    if (!bench.quick()) values = {0.2, 0.5, 1, 2, 4, 8, 16, 32, 64};
+    for (const double sagitta : values) {
+        plans::ArrangeOptions arrange;
+        arrange.sagitta_mm = sagitta;
+        const Built built = build_scene(plan, arrange);
+        add_rows(bench, label("sagitta_mm", sagitta), name, built,
+                 error_between(built.scene.view(), reference.scene.view(), rays));
+    }
+}
+
+/// Float against double in the walk: the only option that changes no scene. Errors are against the oracle.
+void dial_precision(Bench& bench, const plans::Plan& plan, const std::string& name, std::size_t count) {
+    const Built built = build_scene(plan, {});
+    const accel::SceneView& scene = built.scene.view();
+    const render::Oracle oracle(scene);
+    const std::vector<render::RayQuery> timed = RandomRays(scene, 11).take(bench.quick() ? 200'000 : 2'000'000);
+    const std::vector<render::RayQuery> checked(timed.begin(), timed.begin() + std::ptrdiff_t(count));
+    std::vector<render::RayHit> hits(timed.size());
+    const Duel duel_of_both = duel(
+        bench.quick() ? 3 : 7, [&] { render::trace_rays(scene, timed, hits, render::Precision::Float); },
+        [&] { render::trace_rays(scene, timed, hits, render::Precision::Double); });
+    for (const render::Precision precision : {render::Precision::Float, render::Precision::Double}) {
+        const bool is_float = precision == render::Precision::Float;
+        const std::string setting = is_float ? "walk float" : "walk double";
+        const double seconds = is_float ? duel_of_both.a_seconds : duel_of_both.b_seconds;
+        std::vector<render::RayHit> answers(checked.size());
+        render::trace_rays(scene, checked, answers, precision);
+        const render::Agreement agreement = render::compare(oracle, checked, answers, render::error_band(scene));
+        const double per_million = 1e6 / double(agreement.rays);
+        bench.add({.row = setting + ": speed",
+                   .scene = name,
+                   .value = double(timed.size()) / seconds / 1e6,
+                   .unit = "Mrays/s"});
+        bench.add({.row = setting + ": other face, inside the band",
+                   .scene = name,
+                   .value = double(agreement.differing_inside_band) * per_million,
+                   .unit = "per million"});
+        bench.add({.row = setting + ": other face, no edge near",
+                   .scene = name,
+                   .value = double(agreement.differing_outside_band) * per_million,
+                   .unit = "per million"});
+        bench.add({.row = setting + ": largest error of the distance",
+                   .scene = name,
+                   .value = agreement.largest_distance_error * 1000,
+                   .unit = "mm"});
+    }
+}
+
+}  // namespace
+
+void bench_dial(Bench& bench) {
+    const OneCore one_core;
+    const plans::Plan plan = plans::generate({.rooms = 46, .curved = 0.25, .oblique = 0.25});
+    const std::string name = "46 rooms, 1/4 curved";
+    const std::size_t rays = bench.quick() ? 20'000 : 500'000;
+    dial_snap(bench, plan, name, rays);
+    dial_sagitta(bench, plan, name, rays);
+    dial_precision(bench, plan, name, bench.quick() ? 20'000 : 200'000);
+}
+
+}  // namespace enfilade::tools

@@ -1,0 +1,276 @@
+#include "tools/view.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "base/error.h"
+#include "render/trace_rays.h"
+#include "tools/console.h"
+#include "tools/suggestion.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+using accel::Label;
+using render::Vec3d;
+
+constexpr double eye_height = 1.6;
+constexpr double cut_height = 2.0;  ///< of a dollhouse, above the floor: doors are open at it
+constexpr const char* help =
+    "from where: exterior (from the garden), aerial (from above), dollhouse or dollhouse:STOREY (one storey, cut open; "
+    "storeys count from 0), or X,Y,Z:X,Y,Z (the eye, and what it looks at; metres, as in the plan). (dollhouse)";
+
+struct Box {
+    Vec3d low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                 std::numeric_limits<double>::infinity()};
+    Vec3d high = -low;
+    void add(const Vec3d& p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+    [[nodiscard]] Vec3d middle() const { return 0.5 * (low + high); }
+    [[nodiscard]] std::array<Vec3d, 8> corners() const {
+        std::array<Vec3d, 8> all;
+        for (unsigned k = 0; k < 8; ++k)
+            all[k] = {(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z};
+        return all;
+    }
+};
+
+/// Box of the cells that `wanted` takes.
+template <class Wanted>
+Box box_of(const accel::SceneView& scene, const Wanted& wanted) {
+    Box box;
+    for (const accel::Cell& cell : scene.cells) {
+        if (!wanted(cell)) continue;
+        for (std::uint32_t s = cell.first_section; s < cell.first_section + cell.section_count; ++s) {
+            box.add({scene.section_x[s], scene.section_y[s], cell.z_floor});
+            box.add({scene.section_x[s], scene.section_y[s], cell.z_ceiling});
+        }
+    }
+    return box;
+}
+
+const accel::Space& space_of(const accel::SceneView& scene, const accel::Cell& cell) {
+    return scene.spaces[index(cell.space)];
+}
+
+/// What people built: all cells but the outdoors.
+Box building_box(const accel::SceneView& scene) {
+    const Box box = box_of(scene, [](const accel::Cell& cell) { return cell.label != Label::Exterior; });
+    if (box.empty())
+        throw InputError("F106", "", "There is no room in this scene to take a picture of: give --camera X,Y,Z:X,Y,Z.");
+    return box;
+}
+
+/// Axes of a camera that looks along `-back`.
+struct Axes {
+    Vec3d right, up, back;
+    explicit Axes(Vec3d direction) {
+        back = render::normalized(direction);
+        right = render::normalized(render::cross(Vec3d{0, 0, 1}, back));
+        up = render::cross(back, right);
+    }
+};
+
+/// The camera that sees `box` whole from the side of `direction`, with a margin.
+render::Camera fitted(const Box& box, Vec3d direction, double fov_deg, int width, int height) {
+    const Axes axes(direction);
+    const double longer = std::tan(fov_deg / 2 * std::numbers::pi / 180) / 1.06;
+    const double across = width >= height ? longer : longer * width / height;
+    const double along = width >= height ? longer * height / width : longer;
+    // Slide the eye back until every corner lies between the sides of the picture; then aim at their middle.
+    double distance = 0;
+    for (const Vec3d& corner : box.corners()) {
+        const Vec3d p = corner - box.middle();
+        const double depth = render::dot(p, axes.back);
+        distance = std::max({distance, depth + std::abs(render::dot(p, axes.right)) / across,
+                             depth + std::abs(render::dot(p, axes.up)) / along});
+    }
+    render::Camera camera;
+    camera.eye = box.middle() + distance * axes.back;
+    camera.target = box.middle();
+    camera.fov_deg = fov_deg;
+    camera.width = width;
+    camera.height = height;
+    return camera;
+}
+
+View dollhouse(const accel::SceneView& scene, std::uint32_t storey, int width, int height) {
+    Box box = box_of(scene, [&](const accel::Cell& cell) {
+        return space_of(scene, cell).storey_index == storey && cell.label == Label::Room;
+    });
+    if (box.empty()) {
+        std::uint32_t count = 0;
+        for (const accel::Space& space : scene.spaces)
+            if (space.label == Label::Room) count = std::max(count, space.storey_index + 1);
+        throw InputError("F107", "",
+                         "There is no storey " + std::to_string(storey) + " with rooms: this scene has " +
+                             counted(count, "storey") + ", counted from 0.");
+    }
+    View view;
+    view.cut_z = box.low.z + std::min(cut_height, 0.8 * (box.high.z - box.low.z));
+    box.high.z = *view.cut_z;
+    view.camera = fitted(box, {0.28, -0.62, 0.9}, 36, width, height);
+    return view;
+}
+
+/// From above the site, where nothing stands in the way.
+View aerial(const accel::SceneView& scene, int width, int height) {
+    const Box site = box_of(scene, [](const accel::Cell&) { return true; });
+    View view;
+    view.cut_z = site.high.z - 4 * scene.unit;
+    view.camera = fitted(building_box(scene), {0.6, -0.8, 0.62}, 40, width, height);
+    if (view.camera.eye.z <= *view.cut_z) {
+        const Vec3d back = view.camera.eye - view.camera.target;
+        view.camera.eye = view.camera.target + ((*view.cut_z + 1 - view.camera.target.z) / back.z) * back;
+    }
+    return view;
+}
+
+/// From the corner of the site on the sun's side, as far as the site goes.
+View exterior(const accel::SceneView& scene, int width, int height) {
+    const Box building = building_box(scene);
+    const Box outdoors = box_of(scene, [](const accel::Cell& cell) { return cell.label == Label::Exterior; });
+    if (outdoors.empty()) throw InputError("F106", "", "This scene has no outdoors: choose another --camera.");
+    const double inside = 0.25;
+    View view;
+    view.camera = fitted(building, {0.75, -0.85, 0.16}, 60, width, height);
+    Vec3d& eye = view.camera.eye;
+    eye = {std::clamp(eye.x, outdoors.low.x + inside, outdoors.high.x - inside),
+           std::clamp(eye.y, outdoors.low.y + inside, outdoors.high.y - inside),
+           std::clamp(eye.z, outdoors.low.z + eye_height, outdoors.high.z - inside)};
+    // Nearer than asked for: open the lens until the building is in the picture.
+    const Axes axes(eye - view.camera.target);
+    double widest = 0;
+    for (const Vec3d& corner : building.corners()) {
+        const Vec3d p = corner - eye;
+        const double depth = -render::dot(p, axes.back);
+        const double aspect = double(std::max(width, height)) / std::min(width, height);
+        const double x = std::abs(render::dot(p, axes.right)) * (width >= height ? 1 : aspect);
+        const double y = std::abs(render::dot(p, axes.up)) * (width >= height ? aspect : 1);
+        widest = std::max(widest, depth > 0 ? std::max(x, y) / depth : 10.0);
+    }
+    view.camera.fov_deg = std::clamp(2.1 * std::atan(widest) * 180 / std::numbers::pi, 30.0, 105.0);
+    return view;
+}
+
+/// "1.5,2,-3" to three finite numbers.
+std::optional<Vec3d> parse_point(std::string_view text) {
+    std::array<double, 3> values;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t comma = k < 2 ? text.find(',') : text.size();
+        if (comma == std::string_view::npos) return std::nullopt;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + comma, values[k]);
+        if (error != std::errc() || end != text.data() + comma || !std::isfinite(values[k])) return std::nullopt;
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    return Vec3d{values[0], values[1], values[2]};
+}
+
+/// Mean distance that is seen through a coarse picture of this camera.
+double mean_depth(const accel::SceneView& scene, render::Camera camera, accel::CellId cell) {
+    camera.width = 12;
+    camera.height = 8;
+    const render::CameraFrame frame = render::make_frame(camera);
+    std::vector<render::RayQuery> rays;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            rays.push_back({render::vec_cast<double>(frame.origin),
+                            render::vec_cast<double>(frame.direction(float(x) + 0.5f, float(y) + 0.5f)), cell});
+    std::vector<render::RayHit> hits(rays.size());
+    render::trace_rays(scene, rays, hits);
+    double sum = 0;
+    for (const render::RayHit& hit : hits) sum += std::min(hit.distance, 30.0);
+    return sum / double(hits.size());
+}
+
+}  // namespace
+
+std::string camera_help() { return help; }
+
+View named_view(const accel::SceneView& scene, const std::string& text, int width, int height) {
+    if (text == "exterior") return exterior(scene, width, height);
+    if (text == "aerial") return aerial(scene, width, height);
+    if (text == "dollhouse") return dollhouse(scene, 0, width, height);
+    constexpr std::string_view dollhouse_of = "dollhouse:";
+    if (text.starts_with(dollhouse_of)) {
+        std::uint32_t storey = 0;
+        const auto [end, error] = std::from_chars(text.data() + dollhouse_of.size(), text.data() + text.size(), storey);
+        if (error == std::errc() && end == text.data() + text.size()) return dollhouse(scene, storey, width, height);
+    }
+    const std::size_t colon = text.find(':');
+    if (colon != std::string::npos) {
+        const std::optional<Vec3d> eye = parse_point(std::string_view(text).substr(0, colon));
+        const std::optional<Vec3d> target = parse_point(std::string_view(text).substr(colon + 1));
+        if (eye && target) {
+            const Vec3d origin = {scene.origin[0], scene.origin[1], scene.origin[2]};
+            View view;
+            view.camera.eye = *eye - origin;
+            view.camera.target = *target - origin;
+            view.camera.width = width;
+            view.camera.height = height;
+            return view;
+        }
+    }
+    throw InputError(
+        "F108", "",
+        "--camera \"" + text + "\" is no view: give exterior, aerial, dollhouse, dollhouse:STOREY, or X,Y,Z:X,Y,Z.");
+}
+
+View room_view(const accel::SceneView& scene, const std::string& room, int width, int height) {
+    std::vector<std::string> known;
+    std::optional<accel::SpaceId> found;
+    for (std::size_t s = 0; s < scene.spaces.size(); ++s) {
+        const accel::Space& space = scene.spaces[s];
+        if (space.label != Label::Room) continue;
+        for (const accel::TextId text : {space.name, space.id}) known.emplace_back(scene.string(text));
+        if (!found && (scene.string(space.name) == room || scene.string(space.id) == room)) found = accel::SpaceId(s);
+    }
+    if (!found)
+        throw InputError("F109", "",
+                         "There is no room \"" + room + '"' + suggestion(room, known) +
+                             ": \"enfilade info SCENE.enf\" lists the rooms.");
+
+    const Box box = box_of(scene, [&](const accel::Cell& cell) { return cell.space == *found; });
+    View best;
+    double best_depth = -1;
+    for (std::size_t c = 0; c < scene.cells.size(); ++c) {
+        const accel::Cell& cell = scene.cells[c];
+        if (cell.space != *found) continue;
+        Vec3d middle = {0, 0, 0};
+        for (std::uint32_t s = cell.first_section; s < cell.first_section + cell.section_count; ++s)
+            middle = middle + (1.0 / cell.section_count) * Vec3d{scene.section_x[s], scene.section_y[s], 0};
+        for (std::uint32_t s = cell.first_section; s < cell.first_section + cell.section_count; ++s) {
+            // A step away from the corner: the cell is convex, so it stays inside.
+            const Vec3d corner = {scene.section_x[s], scene.section_y[s], 0};
+            const Vec3d inward = middle - corner;
+            const double step = std::min(0.5, 0.4 / std::max(render::length(inward), 1e-6));
+            View view;
+            view.camera.eye = corner + step * inward;
+            view.camera.eye.z = cell.z_floor + std::min(eye_height, 0.6 * (double(cell.z_ceiling) - cell.z_floor));
+            view.camera.target = {box.middle().x, box.middle().y, view.camera.eye.z - 0.35};
+            if (render::length(view.camera.target - view.camera.eye) < 0.4) continue;
+            view.camera.fov_deg = 88;
+            view.camera.width = width;
+            view.camera.height = height;
+            const double depth = mean_depth(scene, view.camera, accel::CellId(c));
+            if (depth > best_depth) {
+                best_depth = depth;
+                best = view;
+            }
+        }
+    }
+    if (best_depth < 0)
+        throw InputError("F109", "", "The room \"" + room + "\" is too small to stand in: give --camera X,Y,Z:X,Y,Z.");
+    return best;
+}
+
+}  // namespace enfilade::tools
