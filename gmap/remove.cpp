@@ -75,10 +75,13 @@ Changes remove_cell(Map& map, int i, const Removal& plan) {
     return changes;
 }
 
-/// Whether alpha_first and alpha_second commute on all of the plan's darts: at most two cells meet there.
-bool commute(const Map& map, const Removal& plan, int first, int second) {
-    for (const DartId x : plan.darts)
+/// Whether exactly two cells of the next dimension meet: their involutions commute on all darts, and do not coincide,
+/// as they would at the tip of a dangling cell.
+bool joins_two(const Map& map, const Removal& plan, int first, int second) {
+    for (const DartId x : plan.darts) {
+        if (map.alpha(first, x) == map.alpha(second, x)) return false;
         if (map.alpha(first, map.alpha(second, x)) != map.alpha(second, map.alpha(first, x))) return false;
+    }
     return true;
 }
 
@@ -106,14 +109,14 @@ bool is_fin(const Map& map, DartId d) {
 std::optional<Changes> remove_vertex(Map& map, DartId d) {
     if (!map.contains(d)) return std::nullopt;
     const Removal plan = plan_removal(map, 0, d);
-    if (!commute(map, plan, 1, 2) || !leaves_nothing_free(plan)) return std::nullopt;
+    if (!joins_two(map, plan, 1, 2) || !leaves_nothing_free(plan)) return std::nullopt;
     return remove_cell(map, 0, plan);
 }
 
 std::optional<Changes> remove_edge(Map& map, DartId d) {
     if (!map.contains(d)) return std::nullopt;
     const Removal plan = plan_removal(map, 1, d);
-    if (!commute(map, plan, 2, 3) || !leaves_nothing_free(plan)) return std::nullopt;
+    if (!joins_two(map, plan, 2, 3) || !leaves_nothing_free(plan)) return std::nullopt;
     if (map.face(d) == map.face(map.alpha<2>(d)) && !is_dangling_edge(map, d)) return std::nullopt;
     return remove_cell(map, 1, plan);
 }

@@ -17,7 +17,6 @@ void expect_unchanged(const Map& map, const MapArrays& before) {
     EXPECT_EQ(map.arrays().cell_id, before.cell_id);
 }
 
-/// The path around all faces of volume 0 of a prism: the ring of edges that bounds its bottom.
 TEST(InsertVertex, CutsAnEdgeInTwo) {
     Map map = grid(2, 2, 2);
     const auto before = cell_counts(map);
@@ -184,26 +183,68 @@ TEST(InsertFace, RefusesPathsThatAreNone) {
     EXPECT_TRUE(insert_face(map, path));
 }
 
-TEST(InsertFace, CutsARingOpen) {
-    // A ring-shaped room: a single face across makes it a ball that meets itself there; a second one makes two rooms.
-    Map map = grid(3, 3, 1);
-    std::uint32_t last = 0;
-    for (const std::uint32_t v : {1u, 2u, 5u, 8u, 7u, 6u, 3u}) {
-        DartId face = none<DartId>;
-        for (const DartId d : map.darts())
-            if (map.volume(d) == VolumeId{v} && map.volume(map.alpha<3>(d)) == VolumeId{0}) face = d;
-        ASSERT_TRUE(remove_face(map, face)) << v;
-        last = v;
+/// The path on the shell of a volume from vertex to vertex, turning the same way at each.
+std::vector<DartId> path_through(const Map& map, VolumeId volume, const std::vector<std::uint32_t>& vertices) {
+    std::vector<DartId> path;
+    for (const DartId d : map.darts())
+        if (map.volume(d) == volume && map.vertex(d) == VertexId{vertices[0]} &&
+            map.vertex(map.alpha<0>(d)) == VertexId{vertices[1]}) {
+            path.push_back(d);
+            break;
+        }
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+        DartId x = map.alpha<0, 1>(path.back());
+        while (map.vertex(map.alpha<0>(x)) != VertexId{vertices[(k + 1) % vertices.size()]}) x = map.alpha<2, 1>(x);
+        path.push_back(x);
     }
-    EXPECT_EQ(last, 3u);
-    EXPECT_EQ(codes_of(validate(map)), std::vector<std::string>{"T4"});
+    return path;
+}
+
+TEST(InsertFace, CutsARingOpenAndThenInTwo) {
+    // A room around a pillar is no ball; one face across makes it one that meets itself there, a second one makes two
+    // rooms.
+    CellTuples tuples = grid_tuples(3, 3, 1);
+    const auto name = [](std::uint32_t v) { return v == 4 || v == 9 ? v : 0; };
+    CellTuples ring;
+    ring.vertex_count = tuples.vertex_count;
+    ring.volume_count = tuples.volume_count;
+    ring.ring_first = {0};
+    for (std::size_t f = 0; f < tuples.face_count(); ++f) {
+        if (name(tuples.face_volumes[f][0]) == name(tuples.face_volumes[f][1])) continue;
+        ring.ring.insert(ring.ring.end(), tuples.ring.begin() + tuples.ring_first[f],
+                         tuples.ring.begin() + tuples.ring_first[f + 1]);
+        ring.ring_first.push_back(static_cast<std::uint32_t>(ring.ring.size()));
+        ring.face_volumes.push_back({name(tuples.face_volumes[f][0]), name(tuples.face_volumes[f][1])});
+    }
+    Map map = built(ring);
+    EXPECT_EQ(codes_of(validate(map)), std::vector<std::string>{"T7"});
+    ASSERT_TRUE(insert_face(map, path_through(map, VolumeId{0}, {1, 5, 21, 17})));
+    EXPECT_EQ(codes_of(validate(map)), std::vector<std::string>{"T4"}) << text_of(validate(map));
     EXPECT_EQ(map.volume_count(), 3u);
+    ASSERT_TRUE(insert_face(map, path_through(map, VolumeId{0}, {14, 10, 26, 30})));
+    EXPECT_TRUE(validate(map).is_sound()) << text_of(validate(map));
+    EXPECT_EQ(map.volume_count(), 4u);
+    EXPECT_TRUE(all_ids_are_orbits(map));
 }
 
 TEST(RemoveVertex, RefusesWhereMoreThanTwoEdgesMeet) {
     Map map = cube();
     const MapArrays before = map.arrays();
     EXPECT_FALSE(remove_vertex(map, DartId{0}));
+    expect_unchanged(map, before);
+}
+
+TEST(RemoveVertex, RefusesTheTipOfADanglingEdge) {
+    Map map = grid(2, 2, 2);
+    const DartId d = dart_between(map, 0, 1);
+    const auto edge = insert_edge(map, d, map.alpha<0, 1, 0>(d));
+    ASSERT_TRUE(edge);
+    const auto middle = insert_vertex(map, edge->dart);
+    ASSERT_TRUE(middle);
+    const DartId tip = map.alpha<1>(middle->dart);
+    ASSERT_TRUE(remove_edge(map, edge->dart));
+    const MapArrays before = map.arrays();
+    EXPECT_FALSE(remove_vertex(map, tip));
     expect_unchanged(map, before);
 }
 
