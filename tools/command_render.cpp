@@ -78,6 +78,8 @@ render::Image render_view(const RenderOptions& options, const accel::SceneView& 
     trace.shading = options.shading == "lambert" ? render::Shading::Lambert : render::Shading::Look;
     trace.samples_per_pixel = int(options.samples * options.samples);
     trace.cut_z = view.cut_z;
+    // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
+    if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
     trace.executor = &watched;
     trace.stats = &stats;
     return render::trace(scene, view.camera, trace);

@@ -69,7 +69,7 @@ struct RenderOptions {
     std::string tracer = "scalar";
     std::string shading = "look";
     std::optional<double> fov_deg;  ///< nothing: the view's own
-    std::uint32_t samples = 1;
+    std::uint32_t samples = 2;
     std::uint32_t threads = 0;  ///< 0: all
 };
 /// What --camera takes.

@@ -148,7 +148,7 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
             "--shading", options.shading,
             "look: sun, sky and darkened corners (the usual case); lambert: one lamp at the eye, as the oracle has it")
         ->check(CLI::IsMember({"look", "lambert"}));
-    command->add_option("--samples", options.samples, "rays along each side of a pixel: 2 gives 4 a pixel (1)")
+    command->add_option("--samples", options.samples, "rays along each side of a pixel: 3 gives 9 a pixel (2)")
         ->check(CLI::Range(1u, 32u));
     command->add_option("--threads", options.threads, "how many cores to use (all)");
 }

@@ -122,16 +122,23 @@ View dollhouse(const accel::SceneView& scene, std::uint32_t storey, int width, i
     return view;
 }
 
-/// From above the site, where nothing stands in the way.
+/// Height of the highest roof; of the building where none is seen.
+double roof_height(const accel::SceneView& scene, const Box& building) {
+    double height = building.high.z;
+    for (std::size_t f = 0; f < scene.source_face_count(); ++f)
+        if (scene.source_faces[f].surface == accel::Surface::Roof)
+            height = std::max(height, double(scene.vertices[scene.source_faces[f].first_vertex].z));
+    return height;
+}
+
+/// From above, with the air over the roof taken off, so that the sky's box is not in the way.
 View aerial(const accel::SceneView& scene, int width, int height) {
     const Box site = box_of(scene, [](const accel::Cell&) { return true; });
+    Box building = building_box(scene);
+    building.high.z = roof_height(scene, building);
     View view;
-    view.cut_z = site.high.z - 4 * scene.unit;
-    view.camera = fitted(building_box(scene), {0.6, -0.8, 0.62}, 40, width, height);
-    if (view.camera.eye.z <= *view.cut_z) {
-        const Vec3d back = view.camera.eye - view.camera.target;
-        view.camera.eye = view.camera.target + ((*view.cut_z + 1 - view.camera.target.z) / back.z) * back;
-    }
+    view.cut_z = std::min(building.high.z + 0.05, site.high.z - 4 * scene.unit);
+    view.camera = fitted(building, {0.6, -0.8, 0.62}, 40, width, height);
     return view;
 }
 
@@ -140,13 +147,14 @@ View exterior(const accel::SceneView& scene, int width, int height) {
     const Box building = building_box(scene);
     const Box outdoors = box_of(scene, [](const accel::Cell& cell) { return cell.label == Label::Exterior; });
     if (outdoors.empty()) throw InputError("F106", "", "This scene has no outdoors: choose another --camera.");
-    const double inside = 0.25;
+    const double inside = 0.25;  // metres from the end of the site
+    const double eye_top = outdoors.low.z + std::max(eye_height, 0.75 * (building.high.z - outdoors.low.z));
     View view;
     view.camera = fitted(building, {0.75, -0.85, 0.16}, 60, width, height);
     Vec3d& eye = view.camera.eye;
     eye = {std::clamp(eye.x, outdoors.low.x + inside, outdoors.high.x - inside),
            std::clamp(eye.y, outdoors.low.y + inside, outdoors.high.y - inside),
-           std::clamp(eye.z, outdoors.low.z + eye_height, outdoors.high.z - inside)};
+           std::clamp(eye.z, outdoors.low.z + eye_height, std::max(eye_top, outdoors.low.z + eye_height))};
     // Nearer than asked for: open the lens until the building is in the picture.
     const Axes axes(eye - view.camera.target);
     double widest = 0;
