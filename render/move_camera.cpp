@@ -22,7 +22,7 @@ Stretch free_stretch(const accel::SceneView& scene, const Ray<double>& ray, doub
         const accel::Cell& c = scene.cells[cell];
         WalkEnd<double> end;
         const SectionExit<double> exit =
-            find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, events);
+            find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, true, events);
         find_face(scene, ray, c, exit, stop, end);
         end.cell = cell;
         if (end.status == WalkStatus::Reached) return {limit, cell};

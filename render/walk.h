@@ -73,48 +73,59 @@ ENFILADE_HD SectionExit<T> section_exit(const accel::SceneView& scene, const Ray
     return {section, next, num, den};
 }
 
+/// Where along the ray (in its 2D direction) it crosses the section from p to q, whose ends it has on its right and
+/// left: between them, however nearly parallel the two are. Exactly negated for the reversed line.
+template <class T>
+ENFILADE_HD T crossing_along(const Ray<T>& ray, T px, T py, T p_side, T qx, T qy, T q_side) {
+    const T p_along = fused(px - ray.origin.x, ray.direction.x, (py - ray.origin.y) * ray.direction.y);
+    const T q_along = fused(qx - ray.origin.x, ray.direction.x, (qy - ray.origin.y) * ray.direction.y);
+    return (q_side * p_along - p_side * q_along) / (q_side - p_side);
+}
+
 /// The rare cases: a vertical ray; several sections that accept; none that does. README.md, "Ties and noise".
 template <class T, class Events>
 ENFILADE_HD_COLD SectionExit<T> resolve_exit(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
                                              std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
-                                             Events& events) {
+                                             bool take_farthest, Events& events) {
     if (ray.direction.x == T(0) && ray.direction.y == T(0)) return {no_section, no_section, T(1), T(0)};
-    SectionExit<T> farthest = {no_section, no_section, T(0), T(1)};
-    SectionExit<T> nearest_miss = farthest;
-    T best_margin = T(0);
-    std::uint32_t accepting = 0;
+    std::uint32_t best = no_section, nearest_miss = no_section, accepting = 0;
+    T best_along = T(0), best_margin = T(0), best_den = T(0);
     const std::uint32_t last = first + count - 1;
-    const T sign = ray.line_sign;
-    T side = sign * line_side(ray, T(scene.section_x[first]), T(scene.section_y[first]));
+    const bool zero_is_left = ray.zero_mask != 0;
+    T px = scene.section_x[first], py = scene.section_y[first];
+    T p_side = ray.line_sign * line_side(ray, px, py);
     for (std::uint32_t i = first; i <= last; ++i) {
         const std::uint32_t j = i == last ? first : i + 1;
-        const T next_side = sign * line_side(ray, T(scene.section_x[j]), T(scene.section_y[j]));
-        const bool zero = ray.zero_mask != 0;
-        const bool right = !(side > T(0) || (side == T(0) && zero));
-        const bool left = next_side > T(0) || (next_side == T(0) && zero);
-        const bool is_entry = entry != no_section && scene.section_x[i] == scene.section_x[entry_next] &&
-                              scene.section_y[i] == scene.section_y[entry_next] &&
-                              scene.section_x[j] == scene.section_x[entry] &&
-                              scene.section_y[j] == scene.section_y[entry];
-        if (!is_entry) {
-            const SectionExit<T> candidate = section_exit(scene, ray, i, j);
-            if (right && left) {
-                ++accepting;
-                if (farthest.section == no_section || candidate.num * farthest.den > farthest.num * candidate.den)
-                    farthest = candidate;
-            }
-            const T margin = -side < next_side ? -side : next_side;
-            if (nearest_miss.section == no_section || margin > best_margin ||
-                (margin == best_margin && candidate.den > nearest_miss.den)) {
-                best_margin = margin;
-                nearest_miss = candidate;
+        const T qx = scene.section_x[j], qy = scene.section_y[j];
+        const T q_side = ray.line_sign * line_side(ray, qx, qy);
+        const bool is_entry = entry != no_section && px == T(scene.section_x[entry_next]) &&
+                              py == T(scene.section_y[entry_next]) && qx == T(scene.section_x[entry]) &&
+                              qy == T(scene.section_y[entry]);
+        const bool p_right = !(p_side > T(0) || (p_side == T(0) && zero_is_left));
+        const bool q_left = q_side > T(0) || (q_side == T(0) && zero_is_left);
+        if (!is_entry && p_right && q_left) {
+            const T along = crossing_along(ray, px, py, p_side, qx, qy, q_side);
+            if (accepting++ == 0 || (take_farthest ? along > best_along : along < best_along)) {
+                best = i;
+                best_along = along;
             }
         }
-        side = next_side;
+        const T margin = -p_side < q_side ? -p_side : q_side;
+        const T den = q_side - p_side;
+        if (!is_entry &&
+            (nearest_miss == no_section || margin > best_margin || (margin == best_margin && den > best_den))) {
+            nearest_miss = i;
+            best_margin = margin;
+            best_den = den;
+        }
+        px = qx;
+        py = qy;
+        p_side = q_side;
     }
     if (accepting > 1) events.several_exits();
     if (accepting == 0) events.no_exit();
-    return accepting > 0 ? farthest : nearest_miss;
+    const std::uint32_t chosen = accepting > 0 ? best : nearest_miss;
+    return section_exit(scene, ray, chosen, chosen == last ? first : chosen + 1);
 }
 
 ENFILADE_HD std::uint32_t lowest_bit(std::uint32_t bits) {
@@ -168,9 +179,9 @@ ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ra
 template <class T, class Events>
 ENFILADE_HD SectionExit<T> find_section(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
                                         std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
-                                        Events& events) {
+                                        bool take_farthest, Events& events) {
     const std::uint32_t i = only_accepting(scene, ray, first, count);
-    if (i == no_section) return resolve_exit(scene, ray, first, count, entry, entry_next, events);
+    if (i == no_section) return resolve_exit(scene, ray, first, count, entry, entry_next, take_farthest, events);
     return section_exit(scene, ray, first + i, i + 1 == count ? first : first + i + 1);
 }
 
@@ -220,17 +231,19 @@ ENFILADE_HD_COLD inline void cross_glass(const accel::SceneView& scene, std::uin
 }
 
 /// Follows the ray from `cell`, which holds its origin, through portals until a source face stops it or `stop` does.
-/// Ends after at most as many steps as there are cells (plus a few): a straight line enters no convex cell twice.
+/// Always ends: a straight line enters no convex cell twice, so more steps than cells mean that rounding leads the walk
+/// in a circle about a vertex; then it takes the nearest of several exits instead of the farthest, once as long.
 template <class T, class Stop, class Events>
 ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
                             Vec3f& throughput, Events& events) {
     WalkEnd<T> end;
     std::uint32_t entry = no_section, entry_next = no_section;
-    for (std::uint64_t steps = scene.cells.count + 16; steps > 0; --steps) {
+    const std::uint64_t turn_back = scene.cells.count + 16;
+    for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
         events.entered_cell();
         const accel::Cell& c = scene.cells[cell];
         const SectionExit<T> exit =
-            find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, events);
+            find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, steps > turn_back, events);
         find_face(scene, ray, c, exit, stop, end);
         end.cell = cell;
         if (end.status == WalkStatus::Reached || !end.target.is_portal()) return end;
@@ -252,13 +265,21 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
 /// The ray's parameter where the walk ended, in units of its (scaled) direction. Computed once, at the end.
 template <class T>
 ENFILADE_HD T parameter(const accel::SceneView& scene, const Ray<T>& ray, const WalkEnd<T>& end) {
-    const T dz = ray.direction.z;
-    if (end.exit == Exit::Side) return end.num / end.den;
-    const accel::Cell& cell = scene.cells[end.cell];
-    const T t = ((end.exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z) / dz;
-    // A level grazed within rounding may lie behind or beside the ray: the prism's exit is where it is met.
-    const bool is_ahead = t >= T(0) && t < T(1e30);
-    return is_ahead || !(end.den > T(0)) ? t : end.num / end.den;
+    const T dx = ray.direction.x, dy = ray.direction.y, dz = ray.direction.z;
+    if (end.exit != Exit::Side) {
+        const accel::Cell& cell = scene.cells[end.cell];
+        const T t = ((end.exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z) / dz;
+        // A level grazed within rounding may lie behind the ray: the prism's exit is where it is met.
+        if ((t >= T(0) && t < T(1e30)) || end.section == no_section) return t;
+    }
+    const T px = scene.section_x[end.section], py = scene.section_y[end.section];
+    const T qx = scene.section_x[end.next_section], qy = scene.section_y[end.next_section];
+    const T p_side = ray.line_sign * line_side(ray, px, py);
+    const T q_side = ray.line_sign * line_side(ray, qx, qy);
+    // Accepted: p on the right, q on the left. A near miss meets the section at the end that it missed least.
+    if (!(p_side < T(0))) return crossing_along(ray, px, py, T(0), qx, qy, T(1)) / (dx * dx + dy * dy);
+    if (!(q_side > T(0))) return crossing_along(ray, px, py, T(-1), qx, qy, T(0)) / (dx * dx + dy * dy);
+    return crossing_along(ray, px, py, p_side, qx, qy, q_side) / (dx * dx + dy * dy);
 }
 
 }  // namespace ENFILADE_ISA
