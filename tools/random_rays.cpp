@@ -13,8 +13,8 @@ namespace {
 /// To what float holds, so that every tracer is asked for the same ray.
 Vec3d rounded(Vec3d v) { return render::vec_cast<double>(render::vec_cast<float>(v)); }
 
-/// The part of a cell's inside that random points keep from its sides.
-constexpr double keep = 1e-3;
+/// How much of a cell's width random points keep from its sides.
+constexpr double keep = 0.01;
 }  // namespace
 
 const char* name_of(RayFamily family) {
@@ -30,22 +30,22 @@ const char* name_of(RayFamily family) {
 
 double RandomRays::uniform(double low, double high) { return low + (high - low) * (double(random_() >> 11) * 0x1p-53); }
 
-/// In a triangle of the fan from the cell's first corner: not evenly spread, but everywhere.
+/// In a triangle of the fan around the mean of the corners, which lies inside also where corners are in line: not
+/// evenly spread, but everywhere.
 Vec3d RandomRays::point_in(const accel::Cell& cell) {
     const std::uint32_t first = cell.first_section;
-    const auto k = std::uint32_t(1 + below(cell.section_count - 2u));
-    const double r = std::sqrt(uniform(keep, 1 - keep));
-    const double s = uniform(keep, 1 - keep);
-    const std::array<double, 3> weight = {1 - r, r * (1 - s), r * s};
-    const std::array<std::uint32_t, 3> corner = {first, first + k, first + k + 1};
-    Vec3d point = {0, 0,
-                   uniform(cell.z_floor + keep * (cell.z_ceiling - cell.z_floor),
-                           cell.z_ceiling - keep * (cell.z_ceiling - cell.z_floor))};
-    for (std::size_t i = 0; i < 3; ++i) {
-        point.x += weight[i] * scene_->section_x[corner[i]];
-        point.y += weight[i] * scene_->section_y[corner[i]];
-    }
-    return point;
+    Vec3d mean = {0, 0, 0};
+    for (std::uint32_t s = first; s < first + cell.section_count; ++s)
+        mean = mean + (1.0 / cell.section_count) * Vec3d{scene_->section_x[s], scene_->section_y[s], 0};
+    const auto k = std::uint32_t(below(cell.section_count));
+    const std::uint32_t p = first + k;
+    const std::uint32_t q = first + (k + 1u == cell.section_count ? 0 : k + 1);
+    const double r = (1 - keep) * std::sqrt(uniform(0, 1));
+    const double s = uniform(0, 1);
+    const double height = double(cell.z_ceiling) - cell.z_floor;
+    return {mean.x + r * ((1 - s) * scene_->section_x[p] + s * scene_->section_x[q] - mean.x),
+            mean.y + r * ((1 - s) * scene_->section_y[p] + s * scene_->section_y[q] - mean.y),
+            uniform(cell.z_floor + keep * height, cell.z_ceiling - keep * height)};
 }
 
 Vec3d RandomRays::direction(RayFamily family, const accel::Cell& cell, Vec3d& origin) {
