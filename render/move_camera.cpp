@@ -19,17 +19,13 @@ Stretch free_stretch(const accel::SceneView& scene, const Ray<double>& ray, doub
     std::uint32_t entry = no_section, entry_next = no_section;
     NoEvents events;
     for (std::uint64_t steps = scene.cells.count + 16; steps > 0; --steps) {
-        const accel::Cell& c = scene.cells[cell];
         WalkEnd<double> end;
-        const SectionExit<double> exit =
-            find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, true, events);
-        find_face(scene, ray, c, exit, stop, end);
-        end.cell = cell;
+        leave_cell(scene, ray, cell, entry, entry_next, true, stop, events, end);
         if (end.status == WalkStatus::Reached) return {limit, cell};
         if (!end.target.is_portal() || end.target.is_glass())
             return {std::clamp(parameter(scene, ray, end) * metres, 0.0, limit), cell};
-        entry = end.exit == Exit::Side ? exit.section : no_section;
-        entry_next = exit.next;
+        entry = end.exit == Exit::Side ? end.section : no_section;
+        entry_next = end.next_section;
         cell = static_cast<std::uint32_t>(end.target.neighbour());
     }
     return {0, cell};

@@ -82,12 +82,13 @@ ENFILADE_HD T crossing_along(const Ray<T>& ray, T px, T py, T p_side, T qx, T qy
     return (q_side * p_along - p_side * q_along) / (q_side - p_side);
 }
 
-/// The rare cases: a vertical ray; several sections that accept; none that does. README.md, "Ties and noise".
+/// The rare cases: several sections that accept; none that does; a vertical ray, which leaves by none (no_section).
+/// Counted from the cell's first. README.md, "Ties and noise".
 template <class T, class Events>
-ENFILADE_HD_COLD SectionExit<T> resolve_exit(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
-                                             std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
-                                             bool take_farthest, Events& events) {
-    if (ray.direction.x == T(0) && ray.direction.y == T(0)) return {no_section, no_section, T(1), T(0)};
+ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
+                                            std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
+                                            bool take_farthest, Events& events) {
+    if (ray.direction.x == T(0) && ray.direction.y == T(0)) return no_section;
     std::uint32_t best = no_section, nearest_miss = no_section, accepting = 0;
     T best_along = T(0), best_margin = T(0), best_den = T(0);
     const std::uint32_t last = first + count - 1;
@@ -124,8 +125,7 @@ ENFILADE_HD_COLD SectionExit<T> resolve_exit(const accel::SceneView& scene, cons
     }
     if (accepting > 1) events.several_exits();
     if (accepting == 0) events.no_exit();
-    const std::uint32_t chosen = accepting > 0 ? best : nearest_miss;
-    return section_exit(scene, ray, chosen, chosen == last ? first : chosen + 1);
+    return (accepting > 0 ? best : nearest_miss) - first;
 }
 
 ENFILADE_HD std::uint32_t lowest_bit(std::uint32_t bits) {
@@ -175,14 +175,23 @@ ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ra
     return found_count == 1 ? found : no_section;
 }
 
-/// Step 1: the exit section, by one side test a vertical line; consecutive sections share theirs.
+/// Step 1: the exit section, by one side test a vertical line; consecutive sections share theirs. Counted from the
+/// cell's first; `no_section` for vertical rays.
 template <class T, class Events>
-ENFILADE_HD SectionExit<T> find_section(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
-                                        std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
-                                        bool take_farthest, Events& events) {
+ENFILADE_HD std::uint32_t find_section(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
+                                       std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
+                                       bool take_farthest, Events& events) {
     const std::uint32_t i = only_accepting(scene, ray, first, count);
-    if (i == no_section) return resolve_exit(scene, ray, first, count, entry, entry_next, take_farthest, events);
-    return section_exit(scene, ray, first + i, i + 1 == count ? first : first + i + 1);
+    return i != no_section ? i : resolve_exit(scene, ray, first, count, entry, entry_next, take_farthest, events);
+}
+
+template <class T, class Stop>
+ENFILADE_HD void leave_by_level(const accel::Cell& cell, const Ray<T>& ray, Exit exit, const Stop& stop,
+                                WalkEnd<T>& end) {
+    end.exit = exit;
+    end.target = exit == Exit::Floor ? cell.floor : cell.ceiling;
+    const T rise = (exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z;
+    end.status = stop.before_level(rise, ray.direction.z) ? WalkStatus::Reached : WalkStatus::Hit;
 }
 
 /// Step 2: the face in the exit section's stack, bottom-up, without division. Equality counts as above: every level is
@@ -191,33 +200,43 @@ template <class T, class Stop>
 ENFILADE_HD void find_face(const accel::SceneView& scene, const Ray<T>& ray, const accel::Cell& cell,
                            const SectionExit<T>& exit, const Stop& stop, WalkEnd<T>& end) {
     const T scaled_dz = exit.num * ray.direction.z;
-    const T floor_rise = T(cell.z_floor) - ray.origin.z;
+    if (scaled_dz < (T(cell.z_floor) - ray.origin.z) * exit.den)
+        return leave_by_level(cell, ray, Exit::Floor, stop, end);
+    const std::uint32_t face_end = scene.section_tails[exit.section + 1].first_face;
+    for (std::uint32_t face = scene.section_tails[exit.section].first_face; face < face_end; ++face) {
+        if (scaled_dz < (T(scene.side_faces[face].z_top) - ray.origin.z) * exit.den) {
+            end.exit = Exit::Side;
+            end.face = face;
+            end.target = scene.side_faces[face].target;
+            end.status = stop.before_side(exit.num, exit.den) ? WalkStatus::Reached : WalkStatus::Hit;
+            return;
+        }
+    }
+    leave_by_level(cell, ray, Exit::Ceiling, stop, end);
+}
+
+/// The face by which a ray leaves a cell: section, then face.
+template <class T, class Stop, class Events>
+ENFILADE_HD void leave_cell(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, std::uint32_t entry,
+                            std::uint32_t entry_next, bool take_farthest, const Stop& stop, Events& events,
+                            WalkEnd<T>& end) {
+    const accel::Cell& c = scene.cells[cell];
+    end.cell = cell;
+    const std::uint32_t i =
+        find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, take_farthest, events);
+    if (i == no_section) {
+        end.section = end.next_section = no_section;
+        end.num = T(1);
+        end.den = T(0);
+        return leave_by_level(c, ray, ray.direction.z < T(0) ? Exit::Floor : Exit::Ceiling, stop, end);
+    }
+    const SectionExit<T> exit = section_exit(scene, ray, c.first_section + i,
+                                             i + 1 == c.section_count ? c.first_section : c.first_section + i + 1);
     end.section = exit.section;
     end.next_section = exit.next;
     end.num = exit.num;
     end.den = exit.den;
-    if (exit.section == no_section ? ray.direction.z < T(0) : scaled_dz < floor_rise * exit.den) {
-        end.exit = Exit::Floor;
-        end.target = cell.floor;
-        end.status = stop.before_level(floor_rise, ray.direction.z) ? WalkStatus::Reached : WalkStatus::Hit;
-        return;
-    }
-    if (exit.section != no_section) {
-        const std::uint32_t face_end = scene.section_tails[exit.section + 1].first_face;
-        for (std::uint32_t face = scene.section_tails[exit.section].first_face; face < face_end; ++face) {
-            if (scaled_dz < (T(scene.side_faces[face].z_top) - ray.origin.z) * exit.den) {
-                end.exit = Exit::Side;
-                end.face = face;
-                end.target = scene.side_faces[face].target;
-                end.status = stop.before_side(exit.num, exit.den) ? WalkStatus::Reached : WalkStatus::Hit;
-                return;
-            }
-        }
-    }
-    end.exit = Exit::Ceiling;
-    end.target = cell.ceiling;
-    const T rise = T(cell.z_ceiling) - ray.origin.z;
-    end.status = stop.before_level(rise, ray.direction.z) ? WalkStatus::Reached : WalkStatus::Hit;
+    find_face(scene, ray, c, exit, stop, end);
 }
 
 /// Glass on the way multiplies the throughput by its tint. Out of line: windows are rare.
@@ -241,19 +260,15 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
     const std::uint64_t turn_back = scene.cells.count + 16;
     for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
         events.entered_cell();
-        const accel::Cell& c = scene.cells[cell];
-        const SectionExit<T> exit =
-            find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, steps > turn_back, events);
-        find_face(scene, ray, c, exit, stop, end);
-        end.cell = cell;
+        leave_cell(scene, ray, cell, entry, entry_next, steps > turn_back, stop, events, end);
         if (end.status == WalkStatus::Reached || !end.target.is_portal()) return end;
         if (end.target.is_glass()) {
             cross_glass(scene, cell, end.exit, end.face, throughput);
             events.crossed_glass();
         }
         // Through a floor or ceiling the prism stays the same: its exit section is no entry of the next cell.
-        entry = end.exit == Exit::Side ? exit.section : no_section;
-        entry_next = exit.next;
+        entry = end.exit == Exit::Side ? end.section : no_section;
+        entry_next = end.next_section;
         cell = static_cast<std::uint32_t>(end.target.neighbour());
         events.crossed(cell);
     }
@@ -276,10 +291,12 @@ ENFILADE_HD T parameter(const accel::SceneView& scene, const Ray<T>& ray, const 
     const T qx = scene.section_x[end.next_section], qy = scene.section_y[end.next_section];
     const T p_side = ray.line_sign * line_side(ray, px, py);
     const T q_side = ray.line_sign * line_side(ray, qx, qy);
+    const T d2 = dx * dx + dy * dy;
+    if (!(d2 > T(0))) return T(0);  // all but vertical, and yet it leaves by a side: it began there
     // Accepted: p on the right, q on the left. A near miss meets the section at the end that it missed least.
-    if (!(p_side < T(0))) return crossing_along(ray, px, py, T(0), qx, qy, T(1)) / (dx * dx + dy * dy);
-    if (!(q_side > T(0))) return crossing_along(ray, px, py, T(-1), qx, qy, T(0)) / (dx * dx + dy * dy);
-    return crossing_along(ray, px, py, p_side, qx, qy, q_side) / (dx * dx + dy * dy);
+    if (!(p_side < T(0))) return crossing_along(ray, px, py, T(0), qx, qy, T(1)) / d2;
+    if (!(q_side > T(0))) return crossing_along(ray, px, py, T(-1), qx, qy, T(0)) / d2;
+    return crossing_along(ray, px, py, p_side, qx, qy, q_side) / d2;
 }
 
 }  // namespace ENFILADE_ISA
