@@ -25,11 +25,14 @@ unsigned commuting_generators(int i) {
 /// kept as one involution so that an orbit sewn to itself cannot be matched two ways.
 std::optional<std::vector<std::pair<DartId, DartId>>> matching(const Map& map, int i, DartId d, DartId e) {
     if (!map.contains(d) || !map.contains(e)) return std::nullopt;
+    const unsigned generators = commuting_generators(i);
+    for (const DartId x : Orbit(map, d, generators))
+        if (x == e) return std::nullopt;
     std::unordered_map<std::uint32_t, std::uint32_t> partner;
     std::vector<std::pair<DartId, DartId>> pairs;
     bool matches = true;
     const auto match = [&](DartId x, DartId y) {
-        if (x == y || map.alpha(i, x) != x || map.alpha(i, y) != y) return matches = false;
+        if (map.alpha(i, x) != x || map.alpha(i, y) != y) return matches = false;
         const auto [at_x, x_is_new] = partner.try_emplace(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
         const auto [at_y, y_is_new] = partner.try_emplace(static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x));
         if (x_is_new != y_is_new || partner.at(static_cast<std::uint32_t>(x)) != static_cast<std::uint32_t>(y))
@@ -38,7 +41,6 @@ std::optional<std::vector<std::pair<DartId, DartId>>> matching(const Map& map, i
         return true;
     };
     if (!match(d, e)) return std::nullopt;
-    const unsigned generators = commuting_generators(i);
     for (std::size_t next = 0; next < pairs.size() && matches; ++next) {
         const auto [x, y] = pairs[next];
         for (int j = 0; j < 4 && matches; ++j)

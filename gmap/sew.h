@@ -15,7 +15,8 @@ namespace detail {
 }  // namespace detail
 
 /// Whether sew<I>(d, e) would do: all darts that have to be linked are I-free, and the orbits of `d` and `e` under the
-/// involutions that commute with alpha<I> match dart by dart. sew<3> glues two whole faces, sew<2> two edges.
+/// involutions that commute with alpha<I> are two and match dart by dart. sew<3> glues two whole faces, sew<2> two
+/// edges.
 template <int I>
 [[nodiscard]] bool is_sewable(const Map& map, DartId d, DartId e) {
     static_assert(0 <= I && I <= 3);
