@@ -81,6 +81,15 @@ ENFILADE_HD Vec3f end_point(const accel::SceneView& scene, const Ray<float>& ray
     return point;
 }
 
+ENFILADE_HD float under_shoulder(float value, float shoulder) {
+    const float over = value - shoulder, room = 1 - shoulder;
+    return over > 0 && room > 0 ? shoulder + room * over / (over + room) : value;
+}
+
+ENFILADE_HD Vec3f under_shoulder(const Look& look, Vec3f c) {
+    return {under_shoulder(c.x, look.shoulder), under_shoulder(c.y, look.shoulder), under_shoulder(c.z, look.shoulder)};
+}
+
 template <class Events>
 Vec3f radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec3f origin, Vec3f direction,
                std::uint32_t cell, Sampler& sampler, Events& events) {
@@ -97,7 +106,7 @@ Vec3f radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec3f 
     const float headlight = look.headlight * headlight_cosine(scene, ray, end);
     const Vec3f light = ambient_openness(scene, look, point, normal, end.cell, sampler, events) * look.ambient +
                         sunlight(scene, look, point, normal, end.cell, events) + Vec3f{headlight, headlight, headlight};
-    return throughput * (light * colour_of(scene, face));
+    return throughput * under_shoulder(look, light * colour_of(scene, face));
 }
 
 /// The dollhouse: the ray begins where it falls through the cut.
