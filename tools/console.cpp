@@ -23,7 +23,7 @@ std::string formatted(const char* format, double value) {
 }  // namespace
 
 void Console::say(std::string_view line) const {
-    if (!quiet_ && !json_) put(stdout, line, true);
+    if (!quiet_ && !json_) put(stdout, line, !line.ends_with('\n'));
 }
 
 void Console::print(std::string_view text) const {

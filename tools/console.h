@@ -15,7 +15,7 @@ public:
     [[nodiscard]] bool quiet() const { return quiet_; }
     [[nodiscard]] bool json() const { return json_; }
 
-    /// A line for a person: kept back by --quiet and by --json.
+    /// A line for a person, or several: kept back by --quiet and by --json.
     void say(std::string_view line) const;
     /// The result that the user asked for, whatever the flags: its own line end included.
     void print(std::string_view text) const;
