@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seconds=${1:-60}
 tools/build.sh fuzz fuzz_targets
 
-mapfile -t targets < <(find build/fuzz -maxdepth 4 -type f -executable -name 'fuzz_*' | sort)
+mapfile -t targets < <(find build/fuzz/tests -type f -executable -name '*_fuzz' | sort)
 [ ${#targets[@]} -gt 0 ] || { echo "No fuzz target was built." >&2; exit 1; }
 share=$((seconds / ${#targets[@]}))
 [ "$share" -ge 1 ] || share=1
@@ -15,6 +15,8 @@ for target in "${targets[@]}"; do
     corpus=build/fuzz/corpus/$name
     kept=tests/fuzz/corpus/$name
     mkdir -p "$corpus"
+    # Inputs too large to keep in the tree are made by a program beside the target.
+    [ ! -x "${target}_corpus" ] || "${target}_corpus" "$corpus"
     folders=("$corpus")
     [ ! -d "$kept" ] || folders+=("$kept")
     log=build/fuzz/$name.log
