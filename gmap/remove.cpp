@@ -53,6 +53,11 @@ bool leaves_nothing_free(const Removal& plan) {
     return !plan.rim.empty();
 }
 
+/// Whether removing an i-cell can merge, split or take away j-cells. What it cannot: the neighbours of a vertex or an
+/// edge are linked anew within their volumes, and those of a vertex within their faces too. That saves a walk around
+/// them.
+constexpr bool may_change(int i, int j) { return i == j || (i == 0 ? j == 1 : i == 1 ? j != 3 : true); }
+
 Changes remove_cell(Map& map, int i, const Removal& plan) {
     std::array<std::vector<std::uint32_t>, 4> lost;
     for (int j = 0; j < 4; ++j)

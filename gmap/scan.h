@@ -49,6 +49,7 @@ struct Scan {
     std::vector<std::uint32_t> one_volume_darts;  ///< volume(d) == volume(alpha3(d))
     std::vector<std::uint32_t> one_face_darts;    ///< face(d) == face(alpha2(d))
     std::vector<std::uint32_t> piece_of_volume;   ///< connected piece of each volume
+    std::uint32_t piece_count = 0;
     std::vector<std::int32_t> volume_darts;
     std::vector<std::int32_t> volume_faces;      ///< sides of faces on the shell
     std::vector<std::int32_t> volume_umbrellas;  ///< vertices of the shell

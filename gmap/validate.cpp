@@ -93,10 +93,7 @@ std::string sentence_of(const Suspect& suspect) {
 class Judge {
 public:
     Judge(const Map& map, const Scan& found) : map_(map), scan_(found) {
-        std::size_t pieces = 0;
-        for (const std::uint32_t piece : found.piece_of_volume)
-            if (piece != none_u32) pieces = std::max(pieces, piece + std::size_t{1});
-        piece_blamed_.assign(pieces, 0);
+        piece_blamed_.assign(found.piece_count, 0);
         for (std::size_t i = 0; i < 4; ++i) blamed_[i].assign(map.arrays().cell_bound[i], 0);
     }
 
