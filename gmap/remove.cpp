@@ -74,6 +74,7 @@ Changes remove_cell(Map& map, int i, const Removal& plan) {
     for (const DartId x : plan.darts) MapAccess::erase_dart(map, x);
     Changes changes;
     for (int j = 0; j < 4; ++j) {
+        if (!may_change(i, j)) continue;
         if (j == i) detail::update_cells(map, j, {}, changes, lost[static_cast<std::size_t>(j)]);
         else detail::update_cells(map, j, touched, changes, lost[static_cast<std::size_t>(j)]);
     }
