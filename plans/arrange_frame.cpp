@@ -30,6 +30,12 @@ PlanBox extent(const Storey& storey) {
         require_finite(p.y, "position", id);
         box.add(p);
     };
+    double depth = 0;
+    for (const Opening& opening : storey.openings) {
+        for (const double d : {opening.offset, opening.width, opening.depth_left, opening.depth_right})
+            require_finite(d, "size", opening.id);
+        depth = std::max({depth, opening.depth_left, opening.depth_right});
+    }
     for (const Wall& wall : storey.walls) {
         require_finite(wall.thickness, "thickness", wall.id);
         require_finite(wall.arc_extent, "arc", wall.id);
@@ -44,11 +50,7 @@ PlanBox extent(const Storey& storey) {
             for (int k = 1; k < kSamples; ++k) axis.add(arc.at(double(k) / kSamples));
             axis = axis.grown(arc.radius() * 0.02);
         }
-        double across = kMitre * wall.thickness;
-        for (const Opening& opening : storey.openings)
-            if (opening.wall == wall.id)
-                across = std::max(across, wall.thickness + opening.depth_left + opening.depth_right);
-        axis = axis.grown(across);
+        axis = axis.grown(std::max(kMitre * wall.thickness, wall.thickness + depth));
         add(axis.min, wall.id);
         add(axis.max, wall.id);
     }

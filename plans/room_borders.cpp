@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "plans/room_match.h"
 
@@ -162,7 +164,49 @@ private:
             else result.push_back({{graph_.vertices[edge.a], graph_.vertices[edge.b]}, piece.side});
             last = edge.b;
         }
+        return joined(result, meetings);
+    }
+
+    /// Runs on the sides of a polygon and of its band, straight on from each other, as one.
+    [[nodiscard]] std::vector<RoomBorder> joined(const std::vector<RoomBorder>& runs,
+                                                 const std::vector<std::uint32_t>& meetings) const {
+        std::map<GridPoint, std::vector<std::size_t>> runs_at;
+        std::vector<RoomBorder> joined_runs = runs;
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            for (const GridPoint end : {runs[i].segment.a, runs[i].segment.b}) runs_at[end].push_back(i);
+        std::vector<bool> gone(runs.size(), false);
+        for (std::uint32_t v = 0; v < graph_.vertices.size(); ++v) {
+            const GridPoint at = graph_.vertices[v];
+            const auto found = runs_at.find(at);
+            if (meetings[v] != 2 || found == runs_at.end() || found->second.size() != 2) continue;
+            const std::size_t l = found->second[0];
+            const std::size_t r = found->second[1];
+            if (l == r) continue;
+            const auto far_end = [&](const RoomBorder& run) {
+                return run.segment.a == at ? run.segment.b : run.segment.a;
+            };
+            const GridPoint a = far_end(joined_runs[l]);
+            const GridPoint b = far_end(joined_runs[r]);
+            if (a == b || !between(a, at, b)) continue;
+            joined_runs[l] = {{std::min(a, b), std::max(a, b)}, std::min(joined_runs[l].side, joined_runs[r].side)};
+            gone[r] = true;
+            for (std::size_t& run : runs_at[b])
+                if (run == r) run = l;
+        }
+        std::vector<RoomBorder> result;
+        for (std::size_t i = 0; i < joined_runs.size(); ++i)
+            if (!gone[i]) result.push_back(joined_runs[i]);
+        std::stable_sort(result.begin(), result.end(),
+                         [](const RoomBorder& l, const RoomBorder& r) { return l.side < r.side; });
         return result;
+    }
+
+    /// True where p lies within one unit of the segment ab, between its ends.
+    [[nodiscard]] static bool between(GridPoint a, GridPoint p, GridPoint b) {
+        const double dx = double(b.x) - a.x;
+        const double dy = double(b.y) - a.y;
+        const double along = (double(p.x) - a.x) * dx + (double(p.y) - a.y) * dy;
+        return along > 0 && along < dx * dx + dy * dy && std::abs(double(orientation(a, b, p))) <= std::hypot(dx, dy);
     }
 
     const RoomOverlay& rooms_;
