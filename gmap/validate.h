@@ -28,7 +28,7 @@ struct Validation {
 ///   T6  no dangling edge or face, three or more edges a face, four or more faces a volume
 ///   T7  V - E + F = 2 on each shell; V - E + F - C = 0: where it is not, the vertices whose link is no sphere are
 ///   named
-/// Reads the map only. Cost: linear, about 70 ns a dart on one core (README.md); sound maps allocate about 1 byte a
+/// Reads the map only. Cost: linear, about 50 ns a dart on one core (README.md); sound maps allocate about 1 byte a
 /// dart.
 [[nodiscard]] Validation validate(const Map& map);
 
