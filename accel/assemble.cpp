@@ -126,7 +126,7 @@ private:
         y_.push_back(0);
         tails_.resize(x_.size());
         for (std::uint32_t c = 0; c < input_.cells.size(); ++c) lay_out_cell(c);
-        tails_.back() = {0, static_cast<std::uint32_t>(faces_.size())};
+        tails_.back() = {static_cast<std::uint32_t>(faces_.size())};
     }
 
     void lay_out_cell(std::uint32_t c) {
@@ -143,18 +143,13 @@ private:
                           metres(from.z_floor, "cell", c), metres(from.z_ceiling, "cell", c), floor, ceiling,
                           static_cast<SpaceId>(from.space), from.volume});
         cell_portals_.push_back({floor_portal, ceiling_portal});
-        for (std::size_t s = from.first_section; s < end; ++s)
-            lay_out_section(c, s, s + 1 < end ? s + 1 : from.first_section);
+        for (std::size_t s = from.first_section; s < end; ++s) lay_out_section(c, s);
         next_section_ = end;
     }
 
-    void lay_out_section(std::uint32_t c, std::size_t s, std::size_t next) {
+    void lay_out_section(std::uint32_t c, std::size_t s) {
         const InputSection& a = input_.sections[s];
-        const InputSection& b = input_.sections[next];
-        const std::int64_t cross = std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
-        // |cross| < 2^50: exact as a double, and the scaling by a power of two is; one rounding, to float.
-        tails_[s] = {static_cast<float>(static_cast<double>(cross) * input_.unit * input_.unit),
-                     static_cast<std::uint32_t>(faces_.size())};
+        tails_[s] = {static_cast<std::uint32_t>(faces_.size())};
         const std::size_t end =
             s + 1 < input_.sections.size() ? input_.sections[s + 1].first_face : input_.side_faces.size();
         if (a.first_face != faces_.size() || end <= a.first_face || end > input_.side_faces.size())

@@ -61,11 +61,8 @@ struct Cell {
     std::uint32_t volume;  ///< id of its volume in the map
 };
 
-/// What the walk needs of the section it leaves by. With p = (section_x, section_y) of this and q of the next section
-/// of the cell, `c` = p.x q.y - q.x p.y, computed exactly and rounded once: the same section seen from the
-/// neighbour has exactly -c.
+/// What the walk needs of the one section it leaves by, apart from the lines that it tests in all of them.
 struct SectionTail {
-    float c;                   ///< m^2
     std::uint32_t first_face;  ///< its side faces end where the next section's begin
 };
 
@@ -159,7 +156,7 @@ struct SceneView {
     }
 };
 
-static_assert(sizeof(Cell) == 32 && sizeof(SectionTail) == 8 && sizeof(SideFace) == 8 && sizeof(Portal) == 12);
+static_assert(sizeof(Cell) == 32 && sizeof(SectionTail) == 4 && sizeof(SideFace) == 8 && sizeof(Portal) == 12);
 static_assert(sizeof(SourceFace) == 16 && sizeof(Material) == 16 && sizeof(Space) == 32 && sizeof(LocatorNode) == 32);
 static_assert(std::is_trivially_copyable_v<SceneView>);
 

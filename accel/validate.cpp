@@ -221,12 +221,9 @@ private:
         return std::exchange(seen, char{1}) == 0;
     }
 
-    std::optional<std::string> defect_of_section(std::size_t c, std::size_t s, std::size_t next) {
+    std::optional<std::string> defect_of_section(std::size_t c, std::size_t s) {
         const SceneView& v = view_;
         const Cell& cell = v.cells[c];
-        const double cross =
-            double{v.section_x[s]} * double{v.section_y[next]} - double{v.section_x[next]} * double{v.section_y[s]};
-        if (static_cast<float>(cross) != v.section_tails[s].c) return at("section_tails", s) + " has a wrong constant";
         float below = cell.z_floor;
         for (std::size_t f = v.section_tails[s].first_face; f < v.section_tails[s + 1].first_face; ++f) {
             const SideFace& face = v.side_faces[f];
@@ -250,7 +247,7 @@ private:
         const std::size_t begin = cell.first_section;
         const std::size_t end = begin + cell.section_count;
         for (std::size_t s = begin; s < end; ++s)
-            if (auto defect = defect_of_section(c, s, s + 1 < end ? s + 1 : begin)) return defect;
+            if (auto defect = defect_of_section(c, s)) return defect;
         return std::nullopt;
     }
 

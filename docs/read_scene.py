@@ -23,7 +23,7 @@ ELEMENTS = {
     "cell_portals": [("floor", "<u4"), ("ceiling", "<u4")],
     "section_x": "<f4",
     "section_y": "<f4",
-    "section_tails": [("c", "<f4"), ("first_face", "<u4")],
+    "section_tails": [("first_face", "<u4")],
     "side_faces": [("z_top", "<f4"), ("target", "<u4")],
     "side_face_ports": "<u4",
     "portals": [("front", "<u4"), ("back", "<u4"), ("kind_and_tint", "<u4")],

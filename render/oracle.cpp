@@ -87,6 +87,11 @@ double Oracle::edge_distance(Vec3d origin, Vec3d direction, double distance) con
     return least;
 }
 
+double Oracle::plane_distance(Vec3d point, accel::SourceFaceId face) const {
+    const Face& f = faces_[index(face)];
+    return std::abs(dot(f.normal, point) - f.offset);
+}
+
 Image trace_by_oracle(const accel::SceneView& scene, const Camera& camera, int samples_per_pixel) {
     const CameraFrame frame = make_frame(camera);
     (void)start_cell(scene, frame);
@@ -145,7 +150,9 @@ Agreement compare(const Oracle& oracle, std::span<const RayQuery> rays, std::spa
             continue;
         }
         const double reach = std::max(expected ? expected->distance : 0.0, is_hit ? hits[i].distance : 0.0) + band;
-        if (oracle.edge_distance(rays[i].origin, rays[i].direction, reach) <= band) ++agreement.differing_inside_band;
+        const bool starts_on_it = is_hit && oracle.plane_distance(rays[i].origin, hits[i].source_face) <= band;
+        if (starts_on_it || oracle.edge_distance(rays[i].origin, rays[i].direction, reach) <= band)
+            ++agreement.differing_inside_band;
         else ++agreement.differing_outside_band;
     }
     return agreement;

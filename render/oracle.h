@@ -33,6 +33,9 @@ public:
     /// band.
     [[nodiscard]] double edge_distance(Vec3d origin, Vec3d direction, double distance) const;
 
+    /// Metres from the point to the face's plane.
+    [[nodiscard]] double plane_distance(Vec3d point, accel::SourceFaceId face) const;
+
     /// The source face's normal on its light side.
     [[nodiscard]] Vec3d normal(accel::SourceFaceId face) const { return faces_[index(face)].normal; }
 
@@ -54,7 +57,8 @@ private:
 /// A tracer's answers against the oracle's. A ray counts as agreeing if both name the same source face.
 struct Agreement {
     std::uint64_t rays = 0;
-    std::uint64_t differing_inside_band = 0;   ///< pass an edge nearer than the band
+    std::uint64_t differing_inside_band =
+        0;  ///< pass an edge, or start at the plane of the face met, nearer than the band
     std::uint64_t differing_outside_band = 0;  ///< none are expected
     double largest_distance_error = 0;         ///< metres, of the agreeing ones that meet their face at over 1 degree
 };

@@ -46,7 +46,8 @@ ENFILADE_HD T difference_of_products(T a, T b, T c, T d) {
     return fused(a, b, -cd) + error;
 }
 
-/// \pre all numbers finite, the largest component of direction within 2^-60 and 2^60: what a camera gives.
+/// \pre all numbers finite, the largest component of direction within 2^-10 and 2^10, and its level part zero or not
+/// below 2^-40 of that: what a camera gives.
 template <class T>
 ENFILADE_HD Ray<T> make_ray_unchecked(Vec<T> origin, Vec<T> direction) {
     const bool negate = zero_side_is_positive(direction.x, direction.y);
@@ -55,8 +56,8 @@ ENFILADE_HD Ray<T> make_ray_unchecked(Vec<T> origin, Vec<T> direction) {
     return {origin, direction, sign * direction.x, -sign * direction.y, sign * moment, sign, negate ? ~0u : 0u};
 }
 
-/// The ray from any finite, non-zero direction, denormal and huge ones included; false (and no ray) for others. The
-/// comparisons are written so that NaN fails them.
+/// The ray from any finite, non-zero direction, denormal and huge ones included; what leans less than 2^-40 is
+/// vertical; false (and no ray) for others. The comparisons are written so that NaN fails them.
 template <class T>
 ENFILADE_HD bool make_ray(Vec<T> origin, Vec<T> direction, Ray<T>& ray) {
     const T ax = magnitude(direction.x), ay = magnitude(direction.y), az = magnitude(direction.z);
@@ -66,6 +67,7 @@ ENFILADE_HD bool make_ray(Vec<T> origin, Vec<T> direction, Ray<T>& ray) {
     if (!is_finite || !(largest > T(0))) return false;
     const int exponent = exponent_of(largest);
     direction = {scaled(direction.x, -exponent), scaled(direction.y, -exponent), scaled(direction.z, -exponent)};
+    if (magnitude(direction.x) < T(0x1p-40) && magnitude(direction.y) < T(0x1p-40)) direction.x = direction.y = T(0);
     ray = make_ray_unchecked(origin, direction);
     return true;
 }

@@ -29,13 +29,13 @@ ENFILADE_HD Vec3f normal_of(const accel::SceneView& scene, const WalkEnd<float>&
     return {-ey * inverse, ex * inverse, 0};
 }
 
-/// Lambert's cosine for a lamp at the eye. One root and one division, by den = n.d of the section.
+/// Lambert's cosine for a lamp at the eye: one root and one division.
 ENFILADE_HD float headlight_cosine(const accel::SceneView& scene, const Ray<float>& ray, const WalkEnd<float>& end) {
     const float d2 = dot(ray.direction, ray.direction);
     if (end.exit != Exit::Side) return magnitude(ray.direction.z) / root(d2);
     const float ex = scene.section_x[end.next_section] - scene.section_x[end.section];
     const float ey = scene.section_y[end.next_section] - scene.section_y[end.section];
-    return end.den / root((ex * ex + ey * ey) * d2);
+    return end.facing / root((ex * ex + ey * ey) * d2);
 }
 
 ENFILADE_HD Vec3f sky_colour(const Look& look, Vec3f direction) {

@@ -25,6 +25,7 @@ struct WalkEnd {
     std::uint32_t face;          ///< side face, if exit is Side
     accel::Target target;
     T num, den;  ///< the prism is left at origin + num / den * direction
+    T facing;    ///< direction . outward normal (of the section's length)
 };
 
 /// Walks until a face stops the light.
@@ -51,35 +52,41 @@ struct Limit {
 inline constexpr std::uint32_t no_section = 0xffffffffu;
 inline constexpr std::uint32_t bit_sections = 32;
 
-/// The section of a cell by which a ray leaves, and the plane of that section along the ray.
+/// Twice the place along the ray's 2D direction where it crosses the section from p to q, weighted by its sides:
+/// num / den = t with num = q_side (p - o).d - p_side (q - o).d and den = (q_side - p_side) d.d. It interpolates
+/// between the section's ends, so it never leaves the section, however nearly parallel ray and section are; n.(p - o) /
+/// n.d would. Seen from the neighbour both are exactly negated; for the reversed line num is, and den is the same.
 template <class T>
-struct SectionExit {
-    std::uint32_t section, next;
+struct Crossing {
     T num, den;
+    T facing;  ///< q_side - p_side: direction . outward normal
 };
 
-/// num = C - n.o and den = n.d for the outward normal n = (ey, -ex) of the section from p to q. den is the difference
-/// of two sides that are known already. Seen from the neighbour, both are exactly negated or exactly equal.
+/// Sides of p and q as `line_side` gave them, times the ray's sign. A section that was missed is met at its nearer end.
 template <class T>
-ENFILADE_HD SectionExit<T> section_exit(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t section,
-                                        std::uint32_t next) {
-    const T px = scene.section_x[section], py = scene.section_y[section];
-    const T qx = scene.section_x[next], qy = scene.section_y[next];
-    const T den = ray.line_sign * (line_side(ray, qx, qy) - line_side(ray, px, py));
-    T c;
-    if constexpr (sizeof(T) == sizeof(double)) c = px * qy - qx * py;  // exact: products of 25 bits each
-    else c = scene.section_tails[section].c;
-    const T num = fused(qx - px, ray.origin.y, fused(-(qy - py), ray.origin.x, c));
-    return {section, next, num, den};
+ENFILADE_HD Crossing<T> crossing(const Ray<T>& ray, T px, T py, T p_side, T qx, T qy, T q_side) {
+    const T dx = ray.direction.x, dy = ray.direction.y;
+    const T p_along = fused(px - ray.origin.x, dx, (py - ray.origin.y) * dy);
+    const T q_along = fused(qx - ray.origin.x, dx, (qy - ray.origin.y) * dy);
+    p_side = p_side < T(0) ? p_side : T(0);
+    q_side = q_side > T(0) ? q_side : T(0);
+    const T facing = q_side - p_side;
+    return {q_side * p_along - p_side * q_along, facing * (dx * dx + dy * dy), facing};
 }
 
-/// Where along the ray (in its 2D direction) it crosses the section from p to q, whose ends it has on its right and
-/// left: between them, however nearly parallel the two are. Exactly negated for the reversed line.
 template <class T>
-ENFILADE_HD T crossing_along(const Ray<T>& ray, T px, T py, T p_side, T qx, T qy, T q_side) {
-    const T p_along = fused(px - ray.origin.x, ray.direction.x, (py - ray.origin.y) * ray.direction.y);
-    const T q_along = fused(qx - ray.origin.x, ray.direction.x, (qy - ray.origin.y) * ray.direction.y);
-    return (q_side * p_along - p_side * q_along) / (q_side - p_side);
+ENFILADE_HD Crossing<T> section_crossing(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t section,
+                                         std::uint32_t next) {
+    const T px = scene.section_x[section], py = scene.section_y[section];
+    const T qx = scene.section_x[next], qy = scene.section_y[next];
+    return crossing(ray, px, py, ray.line_sign * line_side(ray, px, py), qx, qy,
+                    ray.line_sign * line_side(ray, qx, qy));
+}
+
+/// A few roundings, relative.
+template <class T>
+ENFILADE_HD constexpr T rounding() {
+    return sizeof(T) == sizeof(float) ? T(0x1p-21) : T(0x1p-50);
 }
 
 /// The rare cases: several sections that accept; none that does; a vertical ray, which leaves by none (no_section).
@@ -90,7 +97,7 @@ ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, const
                                             bool take_farthest, Events& events) {
     if (ray.direction.x == T(0) && ray.direction.y == T(0)) return no_section;
     std::uint32_t best = no_section, nearest_miss = no_section, accepting = 0;
-    T best_along = T(0), best_margin = T(0), best_den = T(0);
+    T best_along = T(0), best_margin = T(0), best_end = T(0);
     const std::uint32_t last = first + count - 1;
     const bool zero_is_left = ray.zero_mask != 0;
     T px = scene.section_x[first], py = scene.section_y[first];
@@ -104,20 +111,22 @@ ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, const
                               qy == T(scene.section_y[entry]);
         const bool p_right = !(p_side > T(0) || (p_side == T(0) && zero_is_left));
         const bool q_left = q_side > T(0) || (q_side == T(0) && zero_is_left);
-        if (!is_entry && p_right && q_left) {
-            const T along = crossing_along(ray, px, py, p_side, qx, qy, q_side);
-            if (accepting++ == 0 || (take_farthest ? along > best_along : along < best_along)) {
-                best = i;
-                best_along = along;
-            }
+        const Crossing<T> at = crossing(ray, px, py, p_side, qx, qy, q_side);
+        const T along = at.den > T(0) ? at.num / at.den : T(0);
+        if (!is_entry && p_right && q_left &&
+            (accepting++ == 0 || (take_farthest ? along > best_along : along < best_along))) {
+            best = i;
+            best_along = along;
         }
+        // Within rounding of equally near, the miss whose nearer end lies farther along.
         const T margin = -p_side < q_side ? -p_side : q_side;
-        const T den = q_side - p_side;
-        if (!is_entry &&
-            (nearest_miss == no_section || margin > best_margin || (margin == best_margin && den > best_den))) {
+        const T noise = rounding<T>() * (magnitude(ray.line_moment) + magnitude(px * ray.direction.y) +
+                                         magnitude(py * ray.direction.x));
+        if (!is_entry && (nearest_miss == no_section || margin > best_margin + noise ||
+                          (margin > best_margin - noise && along > best_end))) {
             nearest_miss = i;
             best_margin = margin;
-            best_den = den;
+            best_end = along;
         }
         px = qx;
         py = qy;
@@ -195,24 +204,24 @@ ENFILADE_HD void leave_by_level(const accel::Cell& cell, const Ray<T>& ray, Exit
 }
 
 /// Step 2: the face in the exit section's stack, bottom-up, without division. Equality counts as above: every level is
-/// shifted down by a vanishing amount, the same for both directions of the ray.
+/// shifted down by a vanishing amount, the same for both directions of the ray. Floors are left downwards and ceilings
+/// upwards only, whatever rounding says of a ray that starts on one of them.
 template <class T, class Stop>
-ENFILADE_HD void find_face(const accel::SceneView& scene, const Ray<T>& ray, const accel::Cell& cell,
-                           const SectionExit<T>& exit, const Stop& stop, WalkEnd<T>& end) {
-    const T scaled_dz = exit.num * ray.direction.z;
-    if (scaled_dz < (T(cell.z_floor) - ray.origin.z) * exit.den)
+ENFILADE_HD void find_face(const accel::SceneView& scene, const Ray<T>& ray, const accel::Cell& cell, const Stop& stop,
+                           WalkEnd<T>& end) {
+    const T dz = ray.direction.z;
+    const T scaled_dz = end.num * dz;
+    if (dz < T(0) && scaled_dz < (T(cell.z_floor) - ray.origin.z) * end.den)
         return leave_by_level(cell, ray, Exit::Floor, stop, end);
-    const std::uint32_t face_end = scene.section_tails[exit.section + 1].first_face;
-    for (std::uint32_t face = scene.section_tails[exit.section].first_face; face < face_end; ++face) {
-        if (scaled_dz < (T(scene.side_faces[face].z_top) - ray.origin.z) * exit.den) {
-            end.exit = Exit::Side;
-            end.face = face;
-            end.target = scene.side_faces[face].target;
-            end.status = stop.before_side(exit.num, exit.den) ? WalkStatus::Reached : WalkStatus::Hit;
-            return;
-        }
-    }
-    leave_by_level(cell, ray, Exit::Ceiling, stop, end);
+    const std::uint32_t top = scene.section_tails[end.section + 1].first_face - 1;
+    std::uint32_t face = scene.section_tails[end.section].first_face;
+    while (face < top && !(scaled_dz < (T(scene.side_faces[face].z_top) - ray.origin.z) * end.den)) ++face;
+    if (dz > T(0) && face == top && !(scaled_dz < (T(cell.z_ceiling) - ray.origin.z) * end.den))
+        return leave_by_level(cell, ray, Exit::Ceiling, stop, end);
+    end.exit = Exit::Side;
+    end.face = face;
+    end.target = scene.side_faces[face].target;
+    end.status = stop.before_side(end.num, end.den) ? WalkStatus::Reached : WalkStatus::Hit;
 }
 
 /// The face by which a ray leaves a cell: section, then face.
@@ -226,17 +235,15 @@ ENFILADE_HD void leave_cell(const accel::SceneView& scene, const Ray<T>& ray, st
         find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, take_farthest, events);
     if (i == no_section) {
         end.section = end.next_section = no_section;
-        end.num = T(1);
-        end.den = T(0);
         return leave_by_level(c, ray, ray.direction.z < T(0) ? Exit::Floor : Exit::Ceiling, stop, end);
     }
-    const SectionExit<T> exit = section_exit(scene, ray, c.first_section + i,
-                                             i + 1 == c.section_count ? c.first_section : c.first_section + i + 1);
-    end.section = exit.section;
-    end.next_section = exit.next;
-    end.num = exit.num;
-    end.den = exit.den;
-    find_face(scene, ray, c, exit, stop, end);
+    end.section = c.first_section + i;
+    end.next_section = i + 1 == c.section_count ? c.first_section : c.first_section + i + 1;
+    const Crossing<T> at = section_crossing(scene, ray, end.section, end.next_section);
+    end.num = at.num;
+    end.den = at.den;
+    end.facing = at.facing;
+    find_face(scene, ray, c, stop, end);
 }
 
 /// Glass on the way multiplies the throughput by its tint. Out of line: windows are rare.
@@ -277,26 +284,18 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
     return end;
 }
 
-/// The ray's parameter where the walk ended, in units of its (scaled) direction. Computed once, at the end.
+/// The ray's parameter where the walk ended, in units of its (scaled) direction; not negative. Computed once, at the
+/// end.
 template <class T>
 ENFILADE_HD T parameter(const accel::SceneView& scene, const Ray<T>& ray, const WalkEnd<T>& end) {
-    const T dx = ray.direction.x, dy = ray.direction.y, dz = ray.direction.z;
-    if (end.exit != Exit::Side) {
+    T t;
+    if (end.exit == Exit::Side) {
+        t = end.num / end.den;
+    } else {
         const accel::Cell& cell = scene.cells[end.cell];
-        const T t = ((end.exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z) / dz;
-        // A level grazed within rounding may lie behind the ray: the prism's exit is where it is met.
-        if ((t >= T(0) && t < T(1e30)) || end.section == no_section) return t;
+        t = ((end.exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z) / ray.direction.z;
     }
-    const T px = scene.section_x[end.section], py = scene.section_y[end.section];
-    const T qx = scene.section_x[end.next_section], qy = scene.section_y[end.next_section];
-    const T p_side = ray.line_sign * line_side(ray, px, py);
-    const T q_side = ray.line_sign * line_side(ray, qx, qy);
-    const T d2 = dx * dx + dy * dy;
-    if (!(d2 > T(0))) return T(0);  // all but vertical, and yet it leaves by a side: it began there
-    // Accepted: p on the right, q on the left. A near miss meets the section at the end that it missed least.
-    if (!(p_side < T(0))) return crossing_along(ray, px, py, T(0), qx, qy, T(1)) / d2;
-    if (!(q_side > T(0))) return crossing_along(ray, px, py, T(-1), qx, qy, T(0)) / d2;
-    return crossing_along(ray, px, py, p_side, qx, qy, q_side) / d2;
+    return t > T(0) ? t : T(0);  // what starts on a face may meet it a rounding behind itself
 }
 
 }  // namespace ENFILADE_ISA

@@ -73,7 +73,6 @@ TEST(Validate, FindsNaNInEveryArrayOfNumbers) {
     };
     EXPECT_NE(defect_with([](Editable& s) { s.at<float>("section_x", 2) = nan; }), "");
     EXPECT_NE(defect_with([](Editable& s) { s.at<float>("section_y", 2) = nan; }), "");
-    EXPECT_NE(defect_with([](Editable& s) { s.at<SectionTail>("section_tails", 2).c = nan; }), "");
     EXPECT_NE(defect_with([](Editable& s) { s.at<SideFace>("side_faces", 2).z_top = nan; }), "");
     EXPECT_NE(defect_with([](Editable& s) { s.at<Cell>("cells", 2).z_floor = nan; }), "");
     EXPECT_NE(defect_with([](Editable& s) { s.at<Cell>("cells", 2).z_ceiling = nan; }), "");
@@ -87,12 +86,6 @@ TEST(Validate, FindsALocatorThatWouldLoop) {
     Editable scene;
     scene.at<LocatorNode>("locator_nodes", 1).skip = 1;
     EXPECT_EQ(scene.defect(), "F4");
-}
-
-TEST(Validate, FindsAConstantThatDoesNotBelongToItsSection) {
-    Editable scene;
-    scene.at<SectionTail>("section_tails", 3).c += 1;
-    EXPECT_EQ(scene.defect(), "F6");
 }
 
 TEST(Validate, FindsSharesOfSectionsAndRingsThatOverlap) {
