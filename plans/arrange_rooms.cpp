@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -22,32 +21,52 @@ std::string text(const char* format, double value) {
 
 bool is_open(const std::string& kind) { return kind == "courtyard" || kind == "terrace"; }
 
-/// The solid with the longest edge on each place: walls before columns before openings.
+const std::string& id_of(const Owner& owner, const Storey& storey) {
+    switch (owner.kind) {
+        case OwnerKind::Wall: return storey.walls[owner.element].id;
+        case OwnerKind::Opening: return storey.openings[owner.element].id;
+        case OwnerKind::Column: return storey.columns[owner.element].id;
+        case OwnerKind::Exterior:
+        case OwnerKind::Room:
+        case OwnerKind::Stair:
+        case OwnerKind::Shaft: break;
+    }
+    return storey.id;
+}
+
+/// The solid with the longest edge on each place: walls before columns before openings, then the lower id.
 std::vector<Owner> longest_neighbours(const Overlay& overlay, const Places& places, const std::vector<Owner>& owner,
-                                      const std::vector<bool>& wanted) {
-    std::vector<std::map<Owner, double>> lengths(places.places.size());
+                                      const std::vector<bool>& wanted, const Storey& storey) {
+    struct Contact {
+        Owner solid;
+        double length;
+    };
+    std::vector<std::vector<Contact>> contacts(places.places.size());
     const NodedGraph& graph = overlay.graph;
     for (std::uint32_t h = 0; h < 2 * graph.edges.size(); ++h) {
         const std::uint32_t place = places.of_face[overlay.map.face(h)];
-        const Owner& other = owner[overlay.map.face(h ^ 1u)];
-        if (place == kNone || !wanted[place] || !is_solid(other.kind)) continue;
+        const Owner& solid = owner[overlay.map.face(h ^ 1u)];
+        if (place == kNone || !wanted[place] || !is_solid(solid.kind)) continue;
         const GridPoint a = graph.vertices[graph.edges[h / 2].a];
         const GridPoint b = graph.vertices[graph.edges[h / 2].b];
-        lengths[place][other] += std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+        const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+        const auto known = std::find_if(contacts[place].begin(), contacts[place].end(),
+                                        [&](const Contact& contact) { return contact.solid == solid; });
+        if (known == contacts[place].end()) contacts[place].push_back({solid, length});
+        else known->length += length;
     }
     const auto strength = [](OwnerKind kind) {
         return kind == OwnerKind::Wall ? 2 : kind == OwnerKind::Column ? 1 : 0;
     };
     std::vector<Owner> best(places.places.size(), {OwnerKind::Exterior, 0});
     for (std::size_t p = 0; p < best.size(); ++p) {
-        double longest = 0;
-        for (const auto& [candidate, length] : lengths[p]) {
-            const bool stronger = !is_solid(best[p].kind) || strength(candidate.kind) > strength(best[p].kind);
-            const bool weaker = !stronger && strength(candidate.kind) < strength(best[p].kind);
-            if (!stronger && (weaker || length <= longest)) continue;
-            best[p] = candidate;
-            longest = length;
-        }
+        if (contacts[p].empty()) continue;
+        best[p] =
+            std::min_element(contacts[p].begin(), contacts[p].end(), [&](const Contact& l, const Contact& r) {
+                if (strength(l.solid.kind) != strength(r.solid.kind))
+                    return strength(l.solid.kind) > strength(r.solid.kind);
+                return l.length != r.length ? l.length > r.length : id_of(l.solid, storey) < id_of(r.solid, storey);
+            })->solid;
     }
     return best;
 }
@@ -163,7 +182,8 @@ void settle_rooms(const Overlay& overlay, const StoreyRooms& from, StoreyLayout&
         finding.storey = from.storey->id;
         findings.push_back(std::move(finding));
     }
-    const std::vector<Owner> neighbours = longest_neighbours(overlay, *from.places, layout.owner, too_small);
+    const std::vector<Owner> neighbours =
+        longest_neighbours(overlay, *from.places, layout.owner, too_small, *from.storey);
     for (std::uint32_t f = 0; f < layout.owner.size(); ++f) {
         const std::uint32_t p = from.places->of_face[f];
         if (p == kNone) continue;
