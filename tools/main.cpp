@@ -50,129 +50,138 @@ CLI::App* add_command(CLI::App& app, Invocation& invocation, Options& options, c
 
 void add_strict(CLI::App* command, bool& strict) { command->add_flag("--strict", strict, "warnings count as errors"); }
 
+/// An option with a value. `kind` is how help calls the value.
+template <class T>
+CLI::Option* add_value(CLI::App* command, const char* name, T& value, const char* kind, const std::string& sentence) {
+    return command->add_option(name, value, sentence)->option_text(kind);
+}
+template <class T>
+void add_needed(CLI::App* command, const char* name, T& value, const char* kind, const std::string& sentence) {
+    add_value(command, name, value, kind, sentence)->required();
+}
+template <class T>
+void add_positional(CLI::App* command, const char* name, T& value, const std::string& sentence) {
+    command->add_option(name, value, sentence)->option_text(" ")->required();
+}
+
 void add_model_flags(CLI::App* command, ModelOptions& model) {
-    command->add_option("--storeys", model.storeys, "model these storeys only, counted from 0 upward: 0,2")
-        ->delimiter(',');
-    command
-        ->add_option("--snap-mm", model.snap_mm,
-                     "grid on which all corners lie, in millimetres (0.122; rounded down to a power of two of a metre)")
+    add_value(command, "--storeys", model.storeys, "LIST",
+              "model these storeys only, counted from 0 upward, like 0,2 (all)")
+        ->delimiter(',')
+        ->expected(1);
+    add_value(command, "--snap-mm", model.snap_mm, "MM",
+              "grid on which all corners lie, rounded down to a power of two of a metre (0.122)")
         ->check(CLI::PositiveNumber);
-    command
-        ->add_option("--sagitta-mm", model.sagitta_mm,
-                     "largest distance of a curved wall from its straight pieces, in millimetres (2)")
+    add_value(command, "--sagitta-mm", model.sagitta_mm, "MM",
+              "largest distance of a curved wall from its straight pieces (2)")
         ->check(CLI::PositiveNumber);
     command
         ->add_option_function<std::string>(
             "--glass", [&model](const std::string& kind) { model.opaque_glass = kind == "opaque"; },
-            "clear: light passes windows (the usual case); opaque: it does not")
+            "clear: light passes windows; opaque: it does not (clear)")
+        ->option_text("KIND")
         ->check(CLI::IsMember({"clear", "opaque"}));
 }
 
 void add_import(CLI::App& app, Invocation& invocation, ImportOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "import",
-                                    "Read a plan in any format and write it as our JSON, with what was repaired",
+                                    "Read a plan in any format and write it as our JSON, with what was repaired.",
                                     "  enfilade import house.sh3d -o house.json", run_import);
-    command->add_option("PLAN", options.plan, plan_text)->required();
-    command->add_option("-o,--output", options.output, "the JSON file to write")->required();
+    add_positional(command, "PLAN", options.plan, plan_text);
+    add_needed(command, "-o,--output", options.output, "FILE", "the JSON file to write (needed)");
     add_strict(command, options.strict);
 }
 
 void add_generate(CLI::App& app, Invocation& invocation, GenerateCommandOptions& options) {
     CLI::App* command =
-        add_command(app, invocation, options, "generate", "Invent the plan of an office building of any size",
+        add_command(app, invocation, options, "generate", "Invent the plan of an office building of any size.",
                     "  enfilade generate --rooms 200 --storeys 2 --curved 0.1 -o office.json", run_generate);
-    command->add_option("--rooms", options.rooms, "rooms of the whole building, corridors counted")
+    add_value(command, "--rooms", options.rooms, "N", "rooms of the whole building, corridors counted (needed)")
         ->required()
         ->check(CLI::Range(1u, 2000000u));
-    command->add_option("--storeys", options.storeys, "storeys over which they are spread (1)")
+    add_value(command, "--storeys", options.storeys, "N", "storeys over which they are spread (1)")
         ->check(CLI::Range(1u, 200u));
-    command->add_option("--curved", options.curved, "share of the inner walls that are arcs, 0 to 1 (0)")
+    add_value(command, "--curved", options.curved, "SHARE", "share of the inner walls that are arcs, 0 to 1 (0)")
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--oblique", options.oblique, "share of the inner walls that are turned, 0 to 1 (0)")
+    add_value(command, "--oblique", options.oblique, "SHARE", "share of the inner walls that are turned, 0 to 1 (0)")
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--seed", options.seed, "another number, another building (1)");
-    command->add_option("-o,--output", options.output, "the JSON file to write")->required();
+    add_value(command, "--seed", options.seed, "N", "another number, another building (1)");
+    add_needed(command, "-o,--output", options.output, "FILE", "the JSON file to write (needed)");
 }
 
 void add_build(CLI::App& app, Invocation& invocation, BuildCommandOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "build",
-                                    "Model a building from its plan, check it, and write it as a scene",
+                                    "Model a building from its plan, check it, and write it as a scene.",
                                     "  enfilade build house.sh3d -o house.enf --report house.txt", run_build);
-    command->add_option("PLAN", options.plan, plan_text)->required();
-    command->add_option("-o,--output", options.output, "the scene file to write (.enf)")->required();
+    add_positional(command, "PLAN", options.plan, plan_text);
+    add_needed(command, "-o,--output", options.output, "FILE", "the scene file to write, .enf (needed)");
     add_model_flags(command, options.model);
     command->add_flag("--keep-going", options.keep_going, "write the scene even where the check finds errors");
     command->add_flag("--strip", options.strip,
                       "leave out the model group: a smaller file that can be traced, but not checked");
-    command->add_option("--report", options.report, "write all findings to this file (.txt or .json)");
+    add_value(command, "--report", options.report, "FILE", "write all findings to this file, .txt or .json");
     add_strict(command, options.strict);
 }
 
 void add_check(CLI::App& app, Invocation& invocation, CheckOptions& options) {
     CLI::App* command =
         add_command(app, invocation, options, "check",
-                    "Say whether the model of a plan, or a scene file, is sound, and what is wrong where",
+                    "Say whether the model of a plan, or a scene file, is sound, and what is wrong where.",
                     "  enfilade check house.sh3d\n  enfilade check house.enf --json", run_check);
-    command->add_option("INPUT", options.input, "a plan, or a scene file (.enf)")->required();
+    add_positional(command, "INPUT", options.input, "a plan, or a scene file (.enf)");
     add_model_flags(command, options.model);
     add_strict(command, options.strict);
 }
 
 void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "info",
-                                    "Show what a scene file holds: rooms, cells, faces, bytes, and how they are joined",
+                                    "Show what a scene file holds: rooms, cells, bytes, and how they are joined.",
                                     "  enfilade info house.enf", run_info);
-    command->add_option("SCENE", options.scene, "the scene file (.enf)")->required();
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
 }
 
 void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
-    CLI::App* command = add_command(app, invocation, options, "render", "Render a picture of a scene",
+    CLI::App* command = add_command(app, invocation, options, "render", "Render a picture of a scene.",
                                     "  enfilade render house.enf -o house.png --camera dollhouse\n"
                                     "  enfilade render house.enf -o kitchen.png --room Kitchen",
                                     run_render);
-    command->add_option("SCENE", options.scene, "the scene file (.enf)")->required();
-    command->add_option("-o,--output", options.output, "the picture to write (.png or .exr)")->required();
-    CLI::Option* camera = command->add_option("--camera", options.camera, camera_help());
-    command->add_option("--room", options.room, "look into the room of this name, from inside it")->excludes(camera);
-    command->add_option("--size", options.size, "width x height in pixels (1024x1024)");
-    command
-        ->add_option("--fov-deg", options.fov_deg, "field of view across the longer side, in degrees (the view's own)")
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_needed(command, "-o,--output", options.output, "FILE", "the picture to write, .png or .exr (needed)");
+    CLI::Option* camera = add_value(command, "--camera", options.camera, "VIEW", camera_help());
+    add_value(command, "--room", options.room, "NAME", "look into the room of this name or id, from inside it")
+        ->excludes(camera);
+    add_value(command, "--size", options.size, "WxH", "width and height in pixels (1024x1024)");
+    add_value(command, "--fov-deg", options.fov_deg, "DEGREES", "field of view across the longer side (the view's own)")
         ->check(CLI::Range(1.0, 170.0));
-    command
-        ->add_option("--tracer", options.tracer,
-                     "scalar: through the cells (the usual case); oracle: every face against every ray, in double "
-                     "precision, slow")
+    add_value(command, "--tracer", options.tracer, "NAME",
+              "scalar: through the cells; oracle: every face against every ray, in double precision, slow (scalar)")
         ->check(CLI::IsMember({"scalar", "oracle"}));
-    command
-        ->add_option(
-            "--shading", options.shading,
-            "look: sun, sky and darkened corners (the usual case); lambert: one lamp at the eye, as the oracle has it")
+    add_value(command, "--shading", options.shading, "NAME",
+              "look: sun, sky and darkened corners; lambert: one lamp at the eye, as the oracle has it (look)")
         ->check(CLI::IsMember({"look", "lambert"}));
-    command->add_option("--samples", options.samples, "rays along each side of a pixel: 3 gives 9 a pixel (2)")
+    add_value(command, "--samples", options.samples, "N", "rays along each side of a pixel: 3 gives 9 a pixel (2)")
         ->check(CLI::Range(1u, 32u));
-    command->add_option("--threads", options.threads, "how many cores to use (all)");
+    add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
 }
 
 void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {
     CLI::App* command = add_command(
-        app, invocation, options, "export", "Write a scene in a format of other programs",
+        app, invocation, options, "export", "Write a scene in a format of other programs.",
         "  enfilade export house.enf -o house.glb\n  enfilade export house.enf -o house.graphml", run_export);
-    command->add_option("SCENE", options.scene, "the scene file (.enf)")->required();
-    command
-        ->add_option(
-            "-o,--output", options.output,
-            "the file to write: .glb (glTF) and .obj hold the faces, .graphml the rooms, the cells and what joins them")
-        ->required();
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_needed(command, "-o,--output", options.output, "FILE",
+               "the file to write: .glb (glTF) and .obj hold the faces, .graphml the rooms, the cells and what joins "
+               "them (needed)");
 }
 
 void add_bench(CLI::App& app, Invocation& invocation, BenchOptions& options) {
     CLI::App* command =
         add_command(app, invocation, options, "bench",
-                    "Measure how fast this machine does it, against the goals and the best known relatives",
+                    "Measure how fast this machine does it, against the goals and the best known relatives.",
                     "  enfilade bench cells --quick", run_bench, false);
-    command->add_option("NAME", options.name, "which one:\n" + bench_list())->required();
+    add_positional(command, "NAME", options.name, "which one:\n" + bench_list());
     command->add_flag("--quick", options.quick, "smaller inputs and fewer runs: at most 40 seconds");
-    command->add_option("--json", options.json, "also write the rows to this file");
+    add_value(command, "--json", options.json, "FILE", "also write the rows to this file");
     command->add_flag("--strict", options.strict, "end with 1 where a goal is not met");
 }
 
