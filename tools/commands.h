@@ -37,6 +37,9 @@ struct ModelOptions {
     bool opaque_glass = false;
 };
 
+/// "0,2" as numbers. Throws InputError.
+[[nodiscard]] std::vector<std::uint32_t> parse_storeys(const std::string& list);
+
 struct BuildCommandOptions {
     std::filesystem::path plan;
     std::filesystem::path output;

@@ -65,10 +65,11 @@ void add_positional(CLI::App* command, const char* name, T& value, const std::st
 }
 
 void add_model_flags(CLI::App* command, ModelOptions& model) {
-    add_value(command, "--storeys", model.storeys, "LIST",
-              "model these storeys only, counted from 0 upward, like 0,2 (all)")
-        ->delimiter(',')
-        ->expected(1);
+    command
+        ->add_option_function<std::string>(
+            "--storeys", [&model](const std::string& list) { model.storeys = parse_storeys(list); },
+            "model these storeys only, counted from 0 upward, like 0,2 (all)")
+        ->option_text("LIST");
     add_value(command, "--snap-mm", model.snap_mm, "MM",
               "grid on which all corners lie, rounded down to a power of two of a metre (0.122)")
         ->check(CLI::PositiveNumber);

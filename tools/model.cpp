@@ -1,5 +1,6 @@
 #include "tools/model.h"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -25,6 +26,23 @@ std::string options_text(const ModelOptions& options, const modeler::BuildOption
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> parse_storeys(const std::string& list) {
+    std::vector<std::uint32_t> storeys;
+    const char* at = list.data();
+    const char* const end = at + list.size();
+    for (;;) {
+        std::uint32_t storey = 0;
+        const auto [stop, error] = std::from_chars(at, end, storey);
+        if (error != std::errc() || (stop != end && *stop != ','))
+            throw InputError(
+                "F103", "",
+                "--storeys \"" + list + "\" is no list of storeys: give their numbers, counted from 0, like 0,2.");
+        storeys.push_back(storey);
+        if (stop == end) return storeys;
+        at = stop + 1;
+    }
+}
 
 modeler::BuildOptions build_options(const ModelOptions& options, const plans::Plan& plan) {
     for (const std::uint32_t storey : options.storeys)
