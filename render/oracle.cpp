@@ -150,7 +150,8 @@ Agreement compare(const Oracle& oracle, std::span<const RayQuery> rays, std::spa
             continue;
         }
         const double reach = std::max(expected ? expected->distance : 0.0, is_hit ? hits[i].distance : 0.0) + band;
-        const bool starts_on_it = is_hit && oracle.plane_distance(rays[i].origin, hits[i].source_face) <= band;
+        const bool starts_on_it = (is_hit && oracle.plane_distance(rays[i].origin, hits[i].source_face) <= band) ||
+                                  (expected && oracle.plane_distance(rays[i].origin, expected->source_face) <= band);
         if (starts_on_it || oracle.edge_distance(rays[i].origin, rays[i].direction, reach) <= band)
             ++agreement.differing_inside_band;
         else ++agreement.differing_outside_band;

@@ -18,24 +18,21 @@ ENFILADE_HD bool zero_side_is_positive(T dx, T dy) {
     return dy < T(0) || (dy == T(0) && dx > T(0));
 }
 
-/// A line in 2D by its Plücker coordinates, negated as a whole where a zero side counts as positive: then
-/// "positive" is `side <= 0` of what is stored here, and one strict comparison decides all cases.
+/// A line in 3D, and its projection as a line in 2D by its Plücker coordinates.
 template <class T>
 struct Ray {
-    Vec<T> origin;            ///< metres, scene frame
-    Vec<T> direction;         ///< scaled by a power of two so that its largest component is in [1, 2)
-    T line_dx;                ///< +- direction.x
-    T line_minus_dy;          ///< -+ direction.y
-    T line_moment;            ///< +- (origin.x direction.y - origin.y direction.x)
-    T line_sign;              ///< + or - 1
-    std::uint32_t zero_mask;  ///< all ones where the line is negated
+    Vec<T> origin;     ///< metres, scene frame
+    Vec<T> direction;  ///< scaled by a power of two so that its largest component is in [1, 2)
+    T moment;          ///< origin.x direction.y - origin.y direction.x
+    T zero_sign;  ///< -1 where a zero side counts as positive, else 1: "positive" is `side > 0`, there `!(-side > 0)`
+    std::uint32_t zero_mask;  ///< all ones where a zero side counts as positive
 };
 
-/// On which side of the ray the vertical line (x, y) passes: positive to the left, negated with the line. The one
-/// side-test function: every cell and section evaluates a vertical line by these operations on these numbers.
+/// On which side of the ray the vertical line (x, y) passes: positive to the left. The one side-test function: every
+/// cell and section evaluates a vertical line by these operations on these numbers.
 template <class T>
 ENFILADE_HD T line_side(const Ray<T>& ray, T x, T y) {
-    return fused(y, ray.line_dx, fused(x, ray.line_minus_dy, ray.line_moment));
+    return fused(y, ray.direction.x, fused(x, -ray.direction.y, ray.moment));
 }
 
 /// a b - c d to 1.5 ulp (Kahan), antisymmetric in exchanging the products.
@@ -50,10 +47,9 @@ ENFILADE_HD T difference_of_products(T a, T b, T c, T d) {
 /// below 2^-40 of that: what a camera gives.
 template <class T>
 ENFILADE_HD Ray<T> make_ray_unchecked(Vec<T> origin, Vec<T> direction) {
-    const bool negate = zero_side_is_positive(direction.x, direction.y);
-    const T sign = negate ? T(-1) : T(1);
+    const bool zero_is_left = zero_side_is_positive(direction.x, direction.y);
     const T moment = difference_of_products(origin.x, direction.y, origin.y, direction.x);
-    return {origin, direction, sign * direction.x, -sign * direction.y, sign * moment, sign, negate ? ~0u : 0u};
+    return {origin, direction, moment, zero_is_left ? T(-1) : T(1), zero_is_left ? ~0u : 0u};
 }
 
 /// The ray from any finite, non-zero direction, denormal and huge ones included; what leans less than 2^-40 is

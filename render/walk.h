@@ -62,7 +62,7 @@ struct Crossing {
     T facing;  ///< q_side - p_side: direction . outward normal
 };
 
-/// Sides of p and q as `line_side` gave them, times the ray's sign. A section that was missed is met at its nearer end.
+/// Sides of p and q as `line_side` gave them. A section that was missed is met at its nearer end.
 template <class T>
 ENFILADE_HD Crossing<T> crossing(const Ray<T>& ray, T px, T py, T p_side, T qx, T qy, T q_side) {
     const T dx = ray.direction.x, dy = ray.direction.y;
@@ -79,8 +79,7 @@ ENFILADE_HD Crossing<T> section_crossing(const accel::SceneView& scene, const Ra
                                          std::uint32_t next) {
     const T px = scene.section_x[section], py = scene.section_y[section];
     const T qx = scene.section_x[next], qy = scene.section_y[next];
-    return crossing(ray, px, py, ray.line_sign * line_side(ray, px, py), qx, qy,
-                    ray.line_sign * line_side(ray, qx, qy));
+    return crossing(ray, px, py, line_side(ray, px, py), qx, qy, line_side(ray, qx, qy));
 }
 
 /// A few roundings, relative.
@@ -101,11 +100,11 @@ ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, const
     const std::uint32_t last = first + count - 1;
     const bool zero_is_left = ray.zero_mask != 0;
     T px = scene.section_x[first], py = scene.section_y[first];
-    T p_side = ray.line_sign * line_side(ray, px, py);
+    T p_side = line_side(ray, px, py);
     for (std::uint32_t i = first; i <= last; ++i) {
         const std::uint32_t j = i == last ? first : i + 1;
         const T qx = scene.section_x[j], qy = scene.section_y[j];
-        const T q_side = ray.line_sign * line_side(ray, qx, qy);
+        const T q_side = line_side(ray, qx, qy);
         const bool is_entry = entry != no_section && px == T(scene.section_x[entry_next]) &&
                               py == T(scene.section_y[entry_next]) && qx == T(scene.section_x[entry]) &&
                               qy == T(scene.section_y[entry]);
@@ -120,8 +119,8 @@ ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, const
         }
         // Within rounding of equally near, the miss whose nearer end lies farther along.
         const T margin = -p_side < q_side ? -p_side : q_side;
-        const T noise = rounding<T>() * (magnitude(ray.line_moment) + magnitude(px * ray.direction.y) +
-                                         magnitude(py * ray.direction.x));
+        const T noise =
+            rounding<T>() * (magnitude(ray.moment) + magnitude(px * ray.direction.y) + magnitude(py * ray.direction.x));
         if (!is_entry && (nearest_miss == no_section || margin > best_margin + noise ||
                           (margin > best_margin - noise && along > best_end))) {
             nearest_miss = i;
@@ -153,7 +152,7 @@ ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ra
     const float* xs = scene.section_x.first + first;
     const float* ys = scene.section_y.first + first;
     if (count <= bit_sections) {
-        const std::uint32_t bits = left_bits(ray, xs, ys, count) ^ ray.zero_mask;
+        const std::uint32_t bits = left_bits(ray, xs, ys, count);
         const std::uint32_t all = ~0u >> (bit_sections - count);
         const std::uint32_t next_bits = (bits & all) >> 1 | (bits & 1u) << (count - 1);
         const std::uint32_t accepting = ~bits & next_bits;
@@ -163,7 +162,7 @@ ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ra
     std::uint32_t first_bit = 0, bit_before = 1;  // nothing ends before the first section
     for (std::uint32_t begin = 0; begin < count; begin += bit_sections) {
         const std::uint32_t size = count - begin < bit_sections ? count - begin : bit_sections;
-        const std::uint32_t bits = left_bits(ray, xs + begin, ys + begin, size) ^ ray.zero_mask;
+        const std::uint32_t bits = left_bits(ray, xs + begin, ys + begin, size);
         if (begin == 0) first_bit = bits & 1u;
         if (begin > 0 && bit_before == 0 && (bits & 1u) != 0) {
             found = begin - 1;
