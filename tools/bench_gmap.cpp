@@ -7,6 +7,9 @@
 #include "modeler/build.h"
 #include "plans/generate.h"
 #include "tools/bench.h"
+#ifdef ENFILADE_HAS_CGAL_MAPS
+#include "tools/cgal_reference.h"
+#endif
 
 namespace enfilade::tools {
 
@@ -51,20 +54,34 @@ gmap::CellTuples cube_lattice(std::uint32_t side) {
 
 void measure(Bench& bench, const std::string& scene, const gmap::Map& map) {
     const double darts = double(map.dart_count());
-    bench.add({.row = "memory, cell ids included",
-               .scene = scene,
-               .value = double(map.memory_bytes()) / darts,
-               .unit = "B/dart",
-               .goal = value_at_most(32)});
+    BenchRow memory{.row = "memory, cell ids included",
+                    .scene = scene,
+                    .value = double(map.memory_bytes()) / darts,
+                    .unit = "B/dart",
+                    .goal = value_at_most(32)};
     bool sound = true;
     const double seconds =
         median_seconds(bench.quick() ? 3 : 7, [&] { sound = gmap::validate(map).is_sound() && sound; });
     if (!sound) bench.remark("The map of " + scene + " is not sound: its time says nothing.");
-    bench.add({.row = "validate T1-T7, scaled to 1 M darts",
-               .scene = scene,
-               .value = seconds / darts * 1e6,
-               .unit = "s",
-               .goal = value_at_most(0.1)});
+    BenchRow validation{.row = "validate T1-T7, scaled to 1 M darts",
+                        .scene = scene,
+                        .value = seconds / darts * 1e6,
+                        .unit = "s",
+                        .goal = value_at_most(0.1)};
+#ifdef ENFILADE_HAS_CGAL_MAPS
+    // CGAL's is_valid() looks at the involutions and attributes alone (T1), not at T2 to T7.
+    const CgalFigures cgal = measure_cgal(map, bench.quick() ? 1 : 3);
+    memory.reference = validation.reference = "CGAL 3-G-map";
+    memory.reference_value = cgal.bytes_per_dart;
+    memory.ratio = cgal.bytes_per_dart / memory.value;
+    validation.reference_value = cgal.validate_seconds / darts * 1e6;
+    validation.ratio = cgal.validate_seconds / seconds;
+    if (!cgal.is_valid) bench.remark("CGAL calls the map of " + scene + " invalid.");
+#else
+    bench.remark("Built without CGAL's maps: no reference.");
+#endif
+    bench.add(std::move(memory));
+    bench.add(std::move(validation));
 }
 
 }  // namespace
