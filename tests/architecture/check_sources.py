@@ -57,7 +57,8 @@ def faults(root):
     for name in sources(root):
         folder = name.split("/")[0]
         lines = (root / name).read_text(encoding="utf-8").splitlines()
-        if name.endswith(".h") and not any("#pragma once" in line or "include guard" in line for line in lines[:12]):
+        head = " ".join(line.strip("/ ") for line in lines[:12])
+        if name.endswith(".h") and "#pragma once" not in head and "include guard" not in head:
             yield f"{name}:1: a header starts with #pragma once, or with a comment that says why not"
         if len(lines) > LONGEST and not any("long because" in line.lower() for line in lines[:12]):
             yield f"{name}:1: {len(lines)} lines; over {LONGEST}, the reason stands at the top (\"Long because ...\")"
