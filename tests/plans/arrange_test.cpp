@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/id.h"
+#include "plans/generate.h"
 #include "plans/layout.h"
 
 namespace enfilade::plans {
@@ -548,6 +549,36 @@ TEST(Arrange, AnEmptyPlanIsExteriorAlone) {
     const Layout layout = arrange(plan);
     EXPECT_EQ(defect(layout, plan), "");
     EXPECT_EQ(layout.map.face_count, 2u);
+}
+
+TEST(Arrange, TurnedBuildingsKeepEveryRoom) {
+    for (int k = 0; k < 6; ++k) {
+        GenerateOptions options;
+        options.rooms = 120;
+        options.curved = options.oblique = 0.3;
+        options.seed = std::uint64_t(k);
+        Plan plan = generate(options);
+        const double angle = 0.1 + 0.37 * k;
+        const auto turn = [&](Point& p) {
+            p = {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+        };
+        std::size_t closed_rooms = 0;
+        for (Storey& storey : plan.storeys) {
+            for (Wall& w : storey.walls) {
+                turn(w.start);
+                turn(w.end);
+            }
+            for (Column& column : storey.columns) std::for_each(column.polygon.begin(), column.polygon.end(), turn);
+            for (Room& r : storey.rooms) {
+                std::for_each(r.polygon.begin(), r.polygon.end(), turn);
+                closed_rooms += r.kind != "courtyard" && r.kind != "terrace";
+            }
+        }
+        const Layout layout = arrange(plan);
+        EXPECT_EQ(defect(layout, plan), "") << angle;
+        EXPECT_EQ(layout.storeys[0].rooms.size(), closed_rooms) << angle;
+        EXPECT_TRUE(layout.findings.empty()) << angle;
+    }
 }
 
 /// Walls between random places of a coarse raster, and some anywhere: joints of every kind.
