@@ -27,6 +27,7 @@ struct Piece {
 struct Corner {
     std::uint32_t vertex = 0;     ///< into Prisms::points
     std::uint32_t half_edge = 0;  ///< the edge to the next corner: 2 * edge, + 1 where it is run backwards
+    std::uint32_t line = 0;       ///< into Building::lines: sides of one line count as straight where they meet
 };
 
 /// A volume of the map: the prism over a piece between two levels.
@@ -56,7 +57,6 @@ struct Face {
 struct PlanEdge {
     std::uint32_t a = 0;  ///< into Building::points
     std::uint32_t b = 0;
-    std::uint32_t line = 0;  ///< into Building::lines: edges of one line count as straight where they meet
 };
 
 struct Building {

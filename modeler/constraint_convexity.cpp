@@ -17,6 +17,11 @@ using plans::GridPoint;
 struct Ring {
     std::vector<GridPoint> point;
     std::vector<std::uint32_t> line;
+
+    [[nodiscard]] bool goes_straight_at(std::size_t k) const {
+        const std::size_t n = point.size(), before = (k + n - 1) % n;
+        return goes_straight(point[before], point[k % n], point[(k + 1) % n], line[before], line[k % n]);
+    }
 };
 
 Ring ring_of(const Building& building, const Piece& piece) {
@@ -24,7 +29,7 @@ Ring ring_of(const Building& building, const Piece& piece) {
     for (std::uint32_t k = 0; k < piece.corner_count; ++k) {
         const Corner& corner = building.corners[piece.first_corner + k];
         ring.point.push_back(building.points[corner.vertex]);
-        ring.line.push_back(building.edges[corner.half_edge / 2].line);
+        ring.line.push_back(corner.line);
     }
     return ring;
 }
@@ -36,26 +41,34 @@ std::int64_t area2(const Ring& ring) {
     return sum;
 }
 
-/// Corner that turns right between different lines, if any.
-std::optional<std::size_t> reflex_corner(const Ring& ring) {
-    const std::size_t n = ring.point.size();
+/// The corners at which a ring passes from one line to another.
+Ring without_straight_corners(const Ring& ring) {
+    Ring ends;
+    for (std::size_t k = 0; k < ring.point.size(); ++k) {
+        if (ring.goes_straight_at(k)) continue;
+        ends.point.push_back(ring.point[k]);
+        ends.line.push_back(ring.line[k]);
+    }
+    return ends;
+}
+
+/// Corner between different lines that turns right, if any.
+std::optional<GridPoint> reflex_corner(const Ring& ends) {
+    const std::size_t n = ends.point.size();
     for (std::size_t k = 0; k < n; ++k)
-        if (is_reflex(ring.point[(k + n - 1) % n], ring.point[k], ring.point[(k + 1) % n], ring.line[(k + n - 1) % n],
-                      ring.line[k]))
-            return k;
+        if (orientation(ends.point[(k + n - 1) % n], ends.point[k], ends.point[(k + 1) % n]) < 0) return ends.point[k];
     return std::nullopt;
 }
 
-/// Largest distance, in grid units, of a corner from the chord of the run of edges of one line on which it lies.
+/// Largest distance, in grid units, of a corner from the chord of the run of sides of one line on which it lies.
 double stray(const Ring& ring) {
     const std::size_t n = ring.point.size();
     std::size_t start = 0;
-    while (start < n && ring.line[start] == ring.line[(start + n - 1) % n]) ++start;
-    if (start == n) return 0;
+    while (start < n && ring.goes_straight_at(start)) ++start;
     double worst = 0;
     for (std::size_t run = start; run < start + n;) {
         std::size_t end = run + 1;
-        while (end < start + n && ring.line[end % n] == ring.line[run % n]) ++end;
+        while (end < start + n && ring.goes_straight_at(end)) ++end;
         const GridPoint a = ring.point[run % n], b = ring.point[end % n];
         const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
         for (std::size_t k = run + 1; k < end && length > 0; ++k)
@@ -64,6 +77,9 @@ double stray(const Ring& ring) {
     }
     return worst;
 }
+
+/// A point of a line is rounded twice, by half a unit per axis each time; the ends of the line's chord once.
+const double most_stray = 1.5 * std::sqrt(2.0);
 
 void blame_volume(const Building& building, std::uint32_t v, std::string sentence, Blame& blame, CheckReport& report) {
     Finding finding{.code = "G8", .severity = Severity::Error, .sentence = std::move(sentence)};
@@ -84,14 +100,14 @@ void check_shapes(const Building& building, Blame& blame, CheckReport& report) {
             continue;
         }
         const Ring ring = ring_of(building, building.pieces[volume.piece]);
-        if (const auto corner = reflex_corner(ring)) {
-            Finding at;
+        const Ring ends = without_straight_corners(ring);
+        // A sliver as wide as the grid may have all its sides on two lines: it has no chord corners to judge.
+        if (const auto corner = ends.point.size() < 3 ? std::nullopt : reflex_corner(ends)) {
             blame_volume(building, v, "A piece of " + title(building.spaces[volume.space]) + " is not convex.", blame,
                          report);
-            const GridPoint p = ring.point[*corner];
-            report.findings.back().point = {building.frame.world_x(p.x), building.frame.world_y(p.y),
+            report.findings.back().point = {building.frame.world_x(corner->x), building.frame.world_y(corner->y),
                                             building.frame.world_z(volume.z_low)};
-        } else if (const double distance = stray(ring); distance > 1) {
+        } else if (const double distance = stray(ring); distance > most_stray) {
             char text[32];
             std::snprintf(text, sizeof text, "%.2f", distance);
             blame_volume(building, v,

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "accel/assemble.h"
 #include "base/check.h"
+#include "base/error.h"
 #include "modeler/face_label.h"
 #include "modeler/materials.h"
 #include "modeler/model_group.h"
 #include "modeler/outline.h"
+#include "modeler/partition.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -74,6 +77,12 @@ public:
     }
 
 private:
+    [[noreturn]] static void refuse(const std::string& what) {
+        throw InputError(
+            "F22", "",
+            "The model cannot become a scene: " + what + ". Check the plan and mend what is reported first.");
+    }
+
     void number_cells() {
         cell_of_.assign(building_.volumes.size(), no_index);
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v) {
@@ -128,7 +137,7 @@ private:
                 std::uint32_t source = no_index;
                 for (const std::uint32_t v : volumes) {
                     const std::uint32_t f = (is_floor ? floor_ : ceiling_)[cell_of_[v]];
-                    ENFILADE_CHECK(f != no_index);
+                    if (f == no_index) refuse("a cell has no floor or no ceiling");
                     const Face& face = building_.faces[f];
                     const std::uint32_t behind = is_floor ? face.back : face.front;
                     accel::InputTarget& target =
@@ -170,23 +179,22 @@ private:
         const Piece& piece = piece_of(cell);
         return building_.corners[piece.first_corner + k % piece.corner_count];
     }
-    [[nodiscard]] std::uint32_t line_of(std::uint32_t cell, std::uint32_t k) const {
-        return building_.edges[corner_of(cell, k).half_edge / 2].line;
-    }
+    [[nodiscard]] std::uint32_t line_of(std::uint32_t cell, std::uint32_t k) const { return corner_of(cell, k).line; }
 
     void find_side_runs() {
         for (std::uint32_t cell = 0; cell < input_.cells.size(); ++cell) {
             first_corner_.push_back(std::uint32_t(first_run_.size()));
             for (std::uint32_t k = 0; k < piece_of(cell).corner_count; ++k) {
                 first_run_.push_back(std::uint32_t(runs_.size()));
-                add_runs(cell, corner_of(cell, k).half_edge);
+                add_runs(cell, corner_of(cell, k));
             }
         }
         first_corner_.push_back(std::uint32_t(first_run_.size()));
         first_run_.push_back(std::uint32_t(runs_.size()));
     }
 
-    void add_runs(std::uint32_t cell, std::uint32_t half_edge) {
+    void add_runs(std::uint32_t cell, const Corner& corner) {
+        const std::uint32_t half_edge = corner.half_edge;
         const std::uint32_t v = volume_of_[cell], edge = half_edge / 2;
         const std::size_t first = runs_.size();
         for (std::uint32_t f = first_face_[edge]; f < first_face_[edge + 1]; ++f) {
@@ -202,12 +210,12 @@ private:
                 const Volume& viewer = building_.volumes[v];
                 const Volume& back = building_.volumes[behind];
                 run.surface = kind.forced.value_or(surface(viewer.label, back.label, Looking::Sideways));
-                run.material = materials_.of(run.surface, viewer.space, back.space, building_.edges[edge].line);
+                run.material = materials_.of(run.surface, viewer.space, back.space, corner.line);
             }
             if (runs_.size() > first && runs_.back().like(run)) runs_.back().z_high = run.z_high;
             else runs_.push_back(run);
         }
-        ENFILADE_CHECK(runs_.size() > first);
+        if (runs_.size() == first) refuse("a cell has a side without a face");
     }
     void chain_solid_runs() {
         struct Place {
@@ -232,18 +240,25 @@ private:
         for_each_solid([&](std::uint32_t, std::uint32_t r, const ChainKey& key, std::uint32_t end) {
             starting.emplace(key, Place{r, end});
         });
+        const auto follower = [&](ChainKey key, std::uint32_t end) {
+            const std::uint32_t begin = std::exchange(key.start, end);
+            const auto next = starting.find(key);
+            if (next == starting.end()) return Place{no_index, no_index};
+            const auto point = [&](std::uint32_t p) { return building_.points[p]; };
+            const bool straight = goes_straight(point(begin), point(end), point(next->second.end), key.line, key.line);
+            return straight ? next->second : Place{no_index, no_index};
+        };
         std::vector<bool> has_before(runs_.size(), false);
-        for_each_solid([&](std::uint32_t, std::uint32_t, ChainKey key, std::uint32_t end) {
-            key.start = end;
-            if (const auto next = starting.find(key); next != starting.end()) has_before[next->second.run] = true;
+        for_each_solid([&](std::uint32_t, std::uint32_t, const ChainKey& key, std::uint32_t end) {
+            if (const Place next = follower(key, end); next.run != no_index) has_before[next.run] = true;
         });
         for_each_solid([&](std::uint32_t cell, std::uint32_t r, ChainKey key, std::uint32_t end) {
             if (has_before[r]) return;
             const std::uint32_t source = std::uint32_t(input_.source_faces.size()), begin = key.start;
             runs_[r].source = source;
-            for (auto next = starting.end(); (key.start = end, next = starting.find(key)) != starting.end();) {
-                runs_[next->second.run].source = source;
-                end = next->second.end;
+            for (Place next = follower(key, end); next.run != no_index; next = follower(key, end)) {
+                runs_[next.run].source = source;
+                key.start = std::exchange(end, next.end);
             }
             add_side_face(building_.volumes[volume_of_[cell]].space, runs_[r], begin, end);
         });
@@ -270,7 +285,10 @@ private:
 
     /// Whether side k shows what side k - 1 shows, along one line.
     [[nodiscard]] bool looks_alike(std::uint32_t cell, std::uint32_t k) const {
-        if (line_of(cell, before(cell, k)) != line_of(cell, k)) return false;
+        const auto point = [&](std::uint32_t i) { return building_.points[corner_of(cell, i).vertex]; };
+        if (!goes_straight(point(before(cell, k)), point(k), point(k + 1), line_of(cell, before(cell, k)),
+                           line_of(cell, k)))
+            return false;
         const auto a = runs_of(cell, before(cell, k)), b = runs_of(cell, k);
         return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                           [](const SideRun& x, const SideRun& y) { return x.z_high == y.z_high && x.like(y); });
@@ -293,6 +311,7 @@ private:
                 goes_on_[first_corner_[cell] + k] = looks_alike(cell, k);
                 if (!looks_alike(cell, k)) refused.push_back({cell, k});
             }
+        for (std::uint32_t cell = 0; cell < input_.cells.size(); ++cell) keep_three_sections(cell, refused);
         while (!refused.empty()) {
             const auto [cell, k] = refused.back();
             refused.pop_back();
@@ -307,6 +326,15 @@ private:
                 refused.push_back({run.neighbour, joint});
             }
         }
+    }
+
+    /// A sliver as wide as the grid may have all its sides on two lines: it keeps them apart.
+    void keep_three_sections(std::uint32_t cell, std::vector<std::array<std::uint32_t, 2>>& refused) {
+        const auto first = goes_on_.begin() + std::ptrdiff_t(first_corner_[cell]);
+        const auto last = first + std::ptrdiff_t(piece_of(cell).corner_count);
+        if (std::count(first, last, false) >= 3) return;
+        std::fill(first, last, false);
+        for (std::uint32_t k = 0; k < piece_of(cell).corner_count; ++k) refused.push_back({cell, k});
     }
 
     void add_sections() {

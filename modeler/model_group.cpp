@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t most_lines = std::size_t(1) << 28;  ///< what a damaged file may make us allocate
+
 /// Rows of 32-bit numbers <-> the building's tables: `visit(row)` names the columns, in order, for both ways.
 template <class Row>
 struct Columns;
@@ -24,7 +26,7 @@ struct Columns<plans::GridPoint> {
 };
 template <>
 struct Columns<PlanEdge> {
-    static auto of(auto& r) { return std::tie(r.a, r.b, r.line); }
+    static auto of(auto& r) { return std::tie(r.a, r.b); }
 };
 template <>
 struct Columns<Piece> {
@@ -32,7 +34,7 @@ struct Columns<Piece> {
 };
 template <>
 struct Columns<Corner> {
-    static auto of(auto& r) { return std::tie(r.vertex, r.half_edge); }
+    static auto of(auto& r) { return std::tie(r.vertex, r.half_edge, r.line); }
 };
 template <>
 struct Columns<Volume> {
@@ -144,7 +146,11 @@ Json meta_json(const Building& building) {
                                   colour_json(space.colour), colour_json(space.ceiling_colour), space.closed});
     for (const StoreyInfo& storey : building.storeys)
         meta["storeys"].push_back({storey.id, storey.name, storey.z_floor, storey.z_ceiling});
-    for (const PlanLine& line : building.lines) meta["lines"].push_back({line.wall_space, colour_json(line.colour)});
+    meta["line_count"] = building.lines.size();  // cuts are lines too: they stand behind the plan's and hold nothing
+    meta["lines"] = Json::array();
+    for (std::uint32_t k = 0; k < building.lines.size(); ++k)
+        if (const PlanLine& line = building.lines[k]; line.wall_space != UINT32_MAX)
+            meta["lines"].push_back({k, line.wall_space, colour_json(line.colour)});
     meta["findings"] = Json::array();
     for (const Finding& finding : building.findings) meta["findings"].push_back(finding_json(finding));
     return meta;
@@ -166,7 +172,9 @@ void read_meta(const Json& meta, Building& building) {
                                    colour_from(row.at(6)), colour_from(row.at(7)), row.at(8)});
     }
     for (const Json& row : meta.at("storeys")) building.storeys.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
-    for (const Json& row : meta.at("lines")) building.lines.push_back({row.at(0), colour_from(row.at(1))});
+    building.lines.resize(std::min<std::size_t>(meta.at("line_count"), most_lines));
+    for (const Json& row : meta.at("lines"))
+        building.lines.at(row.at(0).get<std::size_t>()) = {row.at(1), colour_from(row.at(2))};
     for (const Json& row : meta.at("findings")) building.findings.push_back(finding_from(row));
 }
 
@@ -176,10 +184,10 @@ void check_indices(const Building& b) {
         if (index >= bound) damaged(std::string(what) + " out of range");
     };
     for (const PlanEdge& edge : b.edges)
-        below(edge.a, b.points.size(), "a point"), below(edge.b, b.points.size(), "a point"),
-            below(edge.line, b.lines.size(), "a line");
+        below(edge.a, b.points.size(), "a point"), below(edge.b, b.points.size(), "a point");
     for (const Corner& corner : b.corners)
-        below(corner.vertex, b.points.size(), "a point"), below(corner.half_edge / 2, b.edges.size(), "an edge");
+        below(corner.vertex, b.points.size(), "a point"), below(corner.half_edge / 2, b.edges.size(), "an edge"),
+            below(corner.line, b.lines.size(), "a line");
     for (const Piece& piece : b.pieces) {
         if (piece.corner_count < 3) damaged("a piece without area");
         below(std::uint64_t(piece.first_corner) + piece.corner_count - 1, b.corners.size(), "a corner");
@@ -246,7 +254,7 @@ Building read_model(const accel::Scene& scene) {
         building.map = gmap::Map(std::move(map));
     } catch (const Json::exception& error) {
         damaged(error.what());
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::logic_error& error) {
         damaged(error.what());
     }
     building.vertices = unpacked<std::array<std::int32_t, 3>>(scene, "m.vertices");

@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "base/check.h"
+#include "base/error.h"
 
 namespace enfilade::modeler {
 
@@ -28,7 +28,10 @@ std::vector<std::uint32_t> outline(const Building& building, const std::vector<s
     do {
         ring.push_back(h);
         const auto next = leaving.find(start_of(building, h ^ 1));
-        ENFILADE_CHECK(next != leaving.end());
+        if (next == leaving.end())
+            throw InputError("F22", "",
+                             "The model cannot become a scene: the pieces of a volume do not close. Check the plan and "
+                             "mend what is reported first.");
         h = next->second;
     } while (h != start && ring.size() <= leaving.size());
     return ring;

@@ -6,6 +6,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
@@ -40,8 +41,8 @@ public:
         for (std::uint32_t h = 0; h < twin_.size(); ++h)
             if (twin_[h] != no_index && h < twin_[h]) diagonals.push_back(h);
         std::sort(diagonals.begin(), diagonals.end(), [&](std::uint32_t g, std::uint32_t h) {
-            const auto key = [&](std::uint32_t e) {
-                return std::tuple(-length2(e), std::min(from_[e], to(e)), std::max(from_[e], to(e)));
+            const auto key = [&](std::uint32_t e) {  // fragile cuts go first, then long ones
+                return std::tuple(!is_fragile(e), -length2(e), std::min(from_[e], to(e)), std::max(from_[e], to(e)));
             };
             return key(g) < key(h);
         });
@@ -83,6 +84,14 @@ private:
         const std::int64_t x = std::int64_t(b.x) - a.x, y = std::int64_t(b.y) - a.y;
         return x * x + y * y;
     }
+    /// Whether a corner of the triangles beside a diagonal is so near it that rounding may lay them onto each other.
+    [[nodiscard]] bool is_fragile(std::uint32_t h) const {
+        const double length = std::sqrt(double(length2(h)));
+        const auto height = [&](std::uint32_t side) {
+            return double(orientation(points_[from_[side]], points_[to(side)], points_[from_[prev_[side]]])) / length;
+        };
+        return std::min(height(h), height(twin_[h])) < 2;
+    }
     [[nodiscard]] std::uint32_t line(std::uint32_t h) const {
         return side_[h] == no_index ? cut_tag : sides_[side_[h]].line;
     }
@@ -92,8 +101,30 @@ private:
         return p;
     }
 
+    /// Whether side `out` goes straight on where side `in` ends.
+    [[nodiscard]] bool one_line(std::uint32_t in, std::uint32_t out) const {
+        return goes_straight(points_[from_[in]], points_[from_[out]], points_[to(out)], line(in), line(out));
+    }
+    /// The first and the last side of the straight run that a side is part of.
+    [[nodiscard]] std::uint32_t run_first(std::uint32_t h) const {
+        while (one_line(prev_[h], h)) h = prev_[h];
+        return h;
+    }
+    [[nodiscard]] std::uint32_t run_last(std::uint32_t h) const {
+        while (one_line(h, next_[h])) h = next_[h];
+        return h;
+    }
+    [[nodiscard]] bool turns_left(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        return orientation(points_[a], points_[b], points_[c]) >= 0;
+    }
+
+    /// Whether `in` may be followed by `out`: corners are judged between the chords of straight runs, so that a bend
+    /// of one grid unit beside a corner does not count.
     [[nodiscard]] bool corner_is_fine(std::uint32_t in, std::uint32_t out) const {
-        return !is_reflex(points_[from_[in]], points_[from_[out]], points_[to(out)], line(in), line(out));
+        const std::uint32_t first = run_first(in), last = run_last(out);
+        if (!one_line(in, out)) return turns_left(from_[first], from_[out], to(last));
+        return turns_left(from_[run_first(prev_[first])], from_[first], to(last)) &&
+               turns_left(from_[first], to(last), to(run_last(next_[last])));
     }
     [[nodiscard]] bool stays_convex(std::uint32_t h) const {
         const std::uint32_t t = twin_[h];
@@ -212,18 +243,27 @@ std::vector<std::uint32_t> simple_ring(std::span<const PolygonSide> sides) {
     return ring.size() == sides.size() ? ring : std::vector<std::uint32_t>{};
 }
 
+/// Whether no corner between the chords of different lines turns right.
+bool is_convex(std::span<const GridPoint> points, std::span<const PolygonSide> sides,
+               const std::vector<std::uint32_t>& ring) {
+    std::vector<GridPoint> ends;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const PolygonSide& in = sides[ring[(k + ring.size() - 1) % ring.size()]];
+        const PolygonSide& out = sides[ring[k]];
+        if (!goes_straight(points[in.from], points[out.from], points[out.to], in.line, out.line))
+            ends.push_back(points[out.from]);
+    }
+    const std::size_t n = ends.size();
+    for (std::size_t k = 0; k < n; ++k)
+        if (orientation(ends[(k + n - 1) % n], ends[k], ends[(k + 1) % n]) < 0) return false;
+    return n >= 3;
+}
+
 }  // namespace
 
 Partition partition(std::span<const GridPoint> points, std::span<const PolygonSide> sides, PartitionGoal goal) {
     const std::vector<std::uint32_t> ring = simple_ring(sides);
-    bool whole = !ring.empty();
-    if (goal == PartitionGoal::Convex)
-        for (std::size_t k = 0; whole && k < ring.size(); ++k) {
-            const PolygonSide& in = sides[ring[k]];
-            const PolygonSide& out = sides[ring[(k + 1) % ring.size()]];
-            whole = !is_reflex(points[in.from], points[in.to], points[out.to], in.line, out.line);
-        }
-    if (whole) {
+    if (!ring.empty() && (goal == PartitionGoal::Disc || is_convex(points, sides, ring))) {
         Partition result;
         for (const std::uint32_t k : ring) result.sides.push_back(sides[k]);
         result.first_side = {0, std::uint32_t(ring.size())};

@@ -22,7 +22,7 @@ inline constexpr std::uint32_t cut_tag = UINT32_MAX;
 
 enum class PartitionGoal {
     Disc,    ///< simply connected, no point visited twice
-    Convex,  ///< no reflex corner between different lines
+    Convex,  ///< no reflex corner between the chords of different lines
 };
 
 /// The pieces as rings of sides, counter-clockwise; a cut appears in two rings, with tag `cut_tag` and line `cut_tag`.
@@ -36,17 +36,20 @@ struct Partition {
 };
 
 /// Cuts the polygon bounded by `sides` along diagonals of its constrained Delaunay triangulation, taking diagonals out
-/// again, the longest first, while the pieces keep the goal (Hertel and Mehlhorn 1983 for convex pieces: at most four
-/// times the least number of them). No new points. A polygon that meets the goal comes back whole.
-/// \pre sides form closed loops and do not cross. Cost: n log n.
+/// again, first those within two grid units of a corner, then the longest, while the pieces keep the goal (Hertel and
+/// Mehlhorn 1983 for convex pieces: at most four times the least number of them). No new points. A polygon that meets
+/// the goal comes back whole. \pre sides form closed loops and do not cross. Cost: n log n.
 [[nodiscard]] Partition partition(std::span<const plans::GridPoint> points, std::span<const PolygonSide> sides,
                                   PartitionGoal goal);
 
-/// Whether the corner from side (a, b) to side (b, c) turns right between different lines.
-[[nodiscard]] inline bool is_reflex(plans::GridPoint a, plans::GridPoint b, plans::GridPoint c, std::uint32_t line_in,
-                                    std::uint32_t line_out) {
-    if (line_in == line_out && line_in != cut_tag) return false;  // both lie on it within the rounding
-    return plans::orientation(a, b, c) < 0;
+/// Whether a ring that passes a, b, c on these lines goes straight on at b: along one line and not back on it. (Rounded
+/// lines go on within a quadrant: they may take a step of one unit at a right angle.)
+[[nodiscard]] inline bool goes_straight(plans::GridPoint a, plans::GridPoint b, plans::GridPoint c,
+                                        std::uint32_t line_in, std::uint32_t line_out) {
+    if (line_in != line_out || line_in == cut_tag) return false;
+    return (std::int64_t(b.x) - a.x) * (std::int64_t(c.x) - b.x) +
+               (std::int64_t(b.y) - a.y) * (std::int64_t(c.y) - b.y) >=
+           0;
 }
 
 }  // namespace enfilade::modeler

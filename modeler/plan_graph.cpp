@@ -1,6 +1,7 @@
 #include "modeler/plan_graph.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace enfilade::modeler {
 namespace {
@@ -34,52 +35,51 @@ public:
 private:
     void node_segments() {
         std::vector<plans::Segment> segments;
-        segments.reserve(stack_.edges.size() + pieces_.cuts.size());
-        for (const StackEdge& edge : stack_.edges) segments.push_back({stack_.points[edge.a], stack_.points[edge.b]});
-        for (const auto& cut : pieces_.cuts) segments.push_back({stack_.points[cut[0]], stack_.points[cut[1]]});
+        segments.reserve(pieces_.segments.size());
+        for (const auto& [a, b] : pieces_.segments) segments.push_back({pieces_.points[a], pieces_.points[b]});
         result_.graph = plans::node(segments);
         result_.map = plans::planar_map(result_.graph);
-        result_.line.reserve(result_.graph.edges.size());
-        for (const plans::NodedEdge& edge : result_.graph.edges) {
-            std::uint32_t line = no_index;
-            for (std::uint32_t u = 0; u < edge.use_count; ++u)
-                line = std::min(line, line_of(result_.graph.uses[edge.first_use + u].segment));
-            result_.line.push_back(line);
-        }
-    }
-
-    [[nodiscard]] std::uint32_t line_of(std::uint32_t segment) const {
-        const std::uint32_t edges = std::uint32_t(stack_.edges.size());
-        return segment < edges ? stack_.edges[segment].line : std::uint32_t(stack_.lines.size()) + segment - edges;
     }
 
     /// Each side of each piece puts the piece on the left of its half-edge; on edges that several segments share,
     /// what lies on both sides cancels (winding numbers stay those of closed loops under snap rounding).
     void find_edge_sides() {
-        const std::size_t segment_count = stack_.edges.size() + pieces_.cuts.size();
-        std::vector<std::uint32_t> counts(segment_count, 0);
+        std::vector<std::uint32_t> counts(pieces_.segments.size(), 0);
         for (const std::uint32_t h : pieces_.sides) ++counts[h / 2];
         const std::vector<std::uint32_t> first = offsets_of(std::move(counts));
         std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
         std::vector<EdgeSide> of_segment(pieces_.sides.size());
         for (std::uint32_t p = 0; p < pieces_.piece_count(); ++p)
-            for (const std::uint32_t h : pieces_.piece(p)) of_segment[fill[h / 2]++] = {p, h % 2 == 1};
+            for (std::uint32_t k = pieces_.first_side[p]; k < pieces_.first_side[p + 1]; ++k) {
+                const std::uint32_t h = pieces_.sides[k];
+                of_segment[fill[h / 2]++] = {p, h % 2 == 1, pieces_.side_line[k]};
+            }
 
-        std::vector<std::pair<std::uint32_t, int>> winding;
+        struct Turn {
+            std::uint32_t piece;
+            int winding;
+            std::uint32_t line;
+        };
+        std::vector<Turn> turns;
         result_.first_edge_side.push_back(0);
         for (const plans::NodedEdge& edge : result_.graph.edges) {
-            winding.clear();
+            turns.clear();
             for (std::uint32_t u = 0; u < edge.use_count; ++u) {
                 const plans::EdgeUse use = result_.graph.uses[edge.first_use + u];
                 for (std::uint32_t k = first[use.segment]; k < first[use.segment + 1]; ++k)
-                    winding.emplace_back(of_segment[k].piece, of_segment[k].right != use.reversed ? -1 : 1);
+                    turns.push_back(
+                        {of_segment[k].piece, of_segment[k].right != use.reversed ? -1 : 1, of_segment[k].line});
             }
-            std::sort(winding.begin(), winding.end());
-            for (std::size_t k = 0; k < winding.size();) {
+            std::stable_sort(turns.begin(), turns.end(),
+                             [](const Turn& a, const Turn& b) { return a.piece < b.piece; });
+            for (std::size_t k = 0; k < turns.size();) {
                 int sum = 0;
-                const std::uint32_t piece = winding[k].first;
-                for (; k < winding.size() && winding[k].first == piece; ++k) sum += winding[k].second;
-                if (sum != 0) result_.edge_sides.push_back({piece, sum < 0});
+                const std::size_t begin = k;
+                for (; k < turns.size() && turns[k].piece == turns[begin].piece; ++k) sum += turns[k].winding;
+                if (sum == 0) continue;
+                std::size_t own = begin;
+                while ((turns[own].winding < 0) != (sum < 0)) ++own;
+                result_.edge_sides.push_back({turns[begin].piece, sum < 0, turns[own].line});
             }
             result_.first_edge_side.push_back(std::uint32_t(result_.edge_sides.size()));
         }
@@ -110,29 +110,76 @@ private:
 
     void trace(std::uint32_t p, std::span<const std::array<std::uint32_t, 2>> half_edges) {
         for (const auto& [h, k] : half_edges) stamp_[h] = p, side_of_[h] = k;
-        std::uint32_t loops = 0;
+        std::vector<std::vector<std::uint32_t>> rings;
         for (const auto& [start, unused] : half_edges) {
             if (stamp_[start] != p) continue;
-            const std::uint32_t piece = std::uint32_t(result_.source.size());
+            std::vector<std::uint32_t> loop;
             for (std::uint32_t h = start; stamp_[h] == p; h = next_along(h, p)) {
                 stamp_[h] = no_index - 1;
-                result_.ring.push_back(h);
-                result_.edge_sides[side_of_[h]].piece = piece;
+                loop.push_back(h);
             }
-            result_.source.push_back(p);
-            result_.first_ring.push_back(std::uint32_t(result_.ring.size()));
-            ++loops;
+            for (std::vector<std::uint32_t>& ring : split_at_pinches(loop)) rings.push_back(std::move(ring));
+        }
+        if (std::all_of(rings.begin(), rings.end(), [&](const auto& ring) { return area2(ring) > 0; })) {
+            for (const std::vector<std::uint32_t>& ring : rings) add_ring(p, ring);
+        } else {
+            TangledPiece tangled{p, {}};
+            for (const auto& [h, k] : half_edges) tangled.sides.push_back({h, result_.edge_sides[k].line});
+            result_.tangled.push_back(std::move(tangled));
         }
         for (const auto& [h, unused] : half_edges) stamp_[h] = no_index;
-        if (loops > 1) {
+        if (rings.size() > 1) {
             const Space& space = space_of(p);
             findings_.push_back({.code = "P501",
                                  .severity = Severity::Warning,
                                  .sentence = "Rounding to the grid splits a piece of \"" + space.name + "\" in " +
-                                             std::to_string(loops) + " parts: it is narrower than the grid there.",
+                                             std::to_string(rings.size()) +
+                                             " parts: it is narrower than the grid there.",
                                  .hint = "Use a finer grid (--snap-mm) or widen the place.",
                                  .elements = {{"space", space.id, space.name}}});
         }
+    }
+
+    void add_ring(std::uint32_t p, const std::vector<std::uint32_t>& ring) {
+        for (const std::uint32_t h : ring) {
+            EdgeSide& side = result_.edge_sides[side_of_[h]];
+            side.piece = std::uint32_t(result_.source.size());
+            result_.ring.push_back(h);
+            result_.ring_line.push_back(side.line);
+        }
+        result_.source.push_back(p);
+        result_.first_ring.push_back(std::uint32_t(result_.ring.size()));
+    }
+
+    /// Where rounding closed a neck, the boundary visits a point twice: the parts on both sides of it are loops of
+    /// their own, negative where they close around a pocket.
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> split_at_pinches(
+        const std::vector<std::uint32_t>& loop) const {
+        std::unordered_map<std::uint32_t, std::size_t> position;  // of a point in `path`
+        std::vector<std::uint32_t> path;
+        std::vector<std::vector<std::uint32_t>> rings;
+        for (const std::uint32_t h : loop) {
+            const auto [at, is_new] = position.try_emplace(plans::origin(result_.graph, h), path.size());
+            if (!is_new) {
+                rings.emplace_back(path.begin() + std::ptrdiff_t(at->second), path.end());
+                for (std::size_t k = at->second + 1; k < path.size(); ++k)
+                    position.erase(plans::origin(result_.graph, path[k]));
+                path.resize(at->second);
+            }
+            path.push_back(h);
+        }
+        rings.push_back(std::move(path));
+        return rings;
+    }
+
+    [[nodiscard]] std::int64_t area2(const std::vector<std::uint32_t>& ring) const {
+        std::int64_t sum = 0;
+        for (const std::uint32_t h : ring) {
+            const plans::GridPoint a = result_.graph.vertices[plans::origin(result_.graph, h)];
+            const plans::GridPoint b = result_.graph.vertices[plans::origin(result_.graph, h ^ 1)];
+            sum += std::int64_t(a.x) * b.y - std::int64_t(a.y) * b.x;
+        }
+        return sum;
     }
 
     /// The next half-edge of the piece's boundary: turn around the end point over edges that are none of it.

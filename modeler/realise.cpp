@@ -6,20 +6,25 @@
 namespace enfilade::modeler {
 namespace {
 
+/// Each pass leaves fewer and smaller tangles; what is left after the last one is missing, and `check` says so (G5).
+constexpr int most_recuts = 8;
+
 void describe_plan(const Stack& stack, const PlanGraph& graph, const CutPieces& pieces, Building& building) {
     building.points = graph.graph.vertices;
     building.edges.reserve(graph.graph.edges.size());
     for (std::size_t e = 0; e < graph.graph.edges.size(); ++e)
-        building.edges.push_back({graph.graph.edges[e].a, graph.graph.edges[e].b, graph.line[e]});
+        building.edges.push_back({graph.graph.edges[e].a, graph.graph.edges[e].b});
     building.pieces.reserve(graph.piece_count());
     for (std::uint32_t p = 0; p < graph.piece_count(); ++p) {
         const auto ring = graph.piece(p);
         building.pieces.push_back(
             {std::uint32_t(building.corners.size()), std::uint32_t(ring.size()), pieces.disc[graph.source[p]]});
-        for (const std::uint32_t h : ring) building.corners.push_back({plans::origin(graph.graph, h), h});
+        for (std::uint32_t k = 0; k < ring.size(); ++k)
+            building.corners.push_back(
+                {plans::origin(graph.graph, ring[k]), ring[k], graph.ring_line[graph.first_ring[p] + k]});
     }
     building.lines = stack.lines;
-    building.lines.resize(stack.lines.size() + pieces.cuts.size());
+    building.lines.resize(pieces.line_count);
 }
 
 }  // namespace
@@ -33,8 +38,12 @@ Building realise(Stack stack, Cutting cutting) {
     building.storeys = stack.storeys;
     building.convex = cutting == Cutting::Convex;
 
-    const CutPieces pieces = cut(stack, cutting);
-    const PlanGraph graph = plan_graph(stack, pieces, building.findings);
+    CutPieces pieces = cut(stack, cutting);
+    PlanGraph graph = plan_graph(stack, pieces, building.findings);
+    for (int pass = 0; !graph.tangled.empty() && pass < most_recuts; ++pass) {
+        pieces = cut_tangled(stack, pieces, graph, cutting);
+        graph = plan_graph(stack, pieces, building.findings);
+    }
     building.max_deviation = graph.graph.max_deviation;
     describe_plan(stack, graph, pieces, building);
 

@@ -96,8 +96,8 @@ TEST(Build, TheSkyIsAboveATerrace) {
     bool has_terrace = false;
     for (const Face& face : building.faces) {
         if (face.direction != Direction::Up) continue;
-        has_terrace |= building.volumes[face.front].label == Label::Exterior && building.volumes[face.back].label == Label::Slab &&
-                       face.z_low == building.storeys[1].z_floor;
+        has_terrace |= building.volumes[face.front].label == Label::Exterior &&
+                       building.volumes[face.back].label == Label::Slab && face.z_low == building.storeys[1].z_floor;
     }
     EXPECT_TRUE(has_terrace);
 }
@@ -106,7 +106,8 @@ TEST(Build, AirIsOneVolumeThroughAllStoreys) {
     const Building building = build(testing::two_storeys());
     bool through = false;
     for (const Volume& volume : building.volumes)
-        through |= volume.label == Label::Exterior && volume.z_low == building.storeys[0].z_floor && volume.z_high == building.site_max[2];
+        through |= volume.label == Label::Exterior && volume.z_low == building.storeys[0].z_floor &&
+                   volume.z_high == building.site_max[2];
     EXPECT_TRUE(through);
 }
 
@@ -158,14 +159,15 @@ TEST(Build, AFenceHasNoSlabAboveIt) {
         if (volume.label == Label::Wall && building.spaces[volume.space].id == "fence") {
             EXPECT_EQ(volume.z_high - volume.z_low, 8192);
         }
-    EXPECT_EQ(labels(building).at(Label::Slab), 2) << "the house's ground slab and roof, and the fence's foot";
+    EXPECT_EQ(labels(building).at(Label::Slab), 3) << "the house's ground slab and roof, and the fence's foot";
     EXPECT_TRUE(check(building).sound()) << complaints(check(building));
 }
 
 TEST(Build, TheSamePlanFarAwayHasTheSameTopology) {
     plans::Plan far = testing::two_storeys();
     for (plans::Storey& storey : far.storeys) {
-        for (plans::Wall& wall : storey.walls) wall.start.x += 1e6, wall.end.x += 1e6, wall.start.y -= 1e6, wall.end.y -= 1e6;
+        for (plans::Wall& wall : storey.walls)
+            wall.start.x += 1e6, wall.end.x += 1e6, wall.start.y -= 1e6, wall.end.y -= 1e6;
         for (plans::Stair& stair : storey.stairs)
             for (plans::Point& p : stair.polygon) p.x += 1e6, p.y -= 1e6;
     }
@@ -178,7 +180,8 @@ TEST(Build, TheSamePlanFarAwayHasTheSameTopology) {
 TEST(Build, EmptyPlansAreRefused) { EXPECT_THROW((void)build(plans::Plan{}), InputError); }
 
 TEST(Convexify, CellsAreConvexAndSumToTheirParents) {
-    for (const plans::Plan& plan : {testing::one_room(), testing::two_rooms(), testing::ring_room(), testing::two_storeys()}) {
+    for (const plans::Plan& plan :
+         {testing::one_room(), testing::two_rooms(), testing::ring_room(), testing::two_storeys()}) {
         const Building building = build(plan);
         const Building convex = convexify(building);
         const CheckReport report = check(convex);

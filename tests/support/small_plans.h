@@ -18,8 +18,8 @@ inline plans::Wall wall(std::string id, plans::Point a, plans::Point b, double t
     return result;
 }
 
-inline plans::Opening opening(std::string id, plans::OpeningKind kind, std::string host, double offset, double width, double sill,
-                              double head) {
+inline plans::Opening opening(std::string id, plans::OpeningKind kind, std::string host, double offset, double width,
+                              double sill, double head) {
     plans::Opening result;
     result.id = std::move(id);
     result.kind = kind;
