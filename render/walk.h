@@ -89,9 +89,10 @@ ENFILADE_HD constexpr T rounding() {
 }
 
 /// The rare cases: several sections that accept; none that does; a vertical ray, which leaves by none (no_section).
-/// Counted from the cell's first. README.md, "Ties and noise".
+/// Counted from the cell's first. README.md, "Ties and noise". The ray comes by value: its address would hold it in
+/// memory on the hot path, too.
 template <class T, class Events>
-ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
+ENFILADE_HD_COLD std::uint32_t resolve_exit(const accel::SceneView& scene, Ray<T> ray, std::uint32_t first,
                                             std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
                                             bool take_farthest, Events& events) {
     if (ray.direction.x == T(0) && ray.direction.y == T(0)) return no_section;
@@ -245,14 +246,14 @@ ENFILADE_HD void leave_cell(const accel::SceneView& scene, const Ray<T>& ray, st
     find_face(scene, ray, c, stop, end);
 }
 
-/// Glass on the way multiplies the throughput by its tint. Out of line: windows are rare.
-ENFILADE_HD_COLD inline void cross_glass(const accel::SceneView& scene, std::uint32_t cell, Exit exit,
-                                         std::uint32_t face, Vec3f& throughput) {
+/// The tint of the glass behind a face. Out of line: windows are rare.
+ENFILADE_HD_COLD inline Vec3f tint_of(const accel::SceneView& scene, std::uint32_t cell, Exit exit,
+                                      std::uint32_t face) {
     const accel::PortalId portal = exit == Exit::Side    ? scene.side_face_portals[face]
                                    : exit == Exit::Floor ? scene.cell_portals[cell].floor
                                                          : scene.cell_portals[cell].ceiling;
     const accel::Vertex tint = scene.tints[scene.portals[static_cast<std::uint32_t>(portal)].kind_and_tint >> 2];
-    throughput = throughput * Vec3f{tint.x, tint.y, tint.z};
+    return {tint.x, tint.y, tint.z};
 }
 
 /// Follows the ray from `cell`, which holds its origin, through portals until a source face stops it or `stop` does.
@@ -269,7 +270,7 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
         leave_cell(scene, ray, cell, entry, entry_next, steps > turn_back, stop, events, end);
         if (end.status == WalkStatus::Reached || !end.target.is_portal()) return end;
         if (end.target.is_glass()) {
-            cross_glass(scene, cell, end.exit, end.face, throughput);
+            throughput = throughput * tint_of(scene, cell, end.exit, end.face);
             events.crossed_glass();
         }
         // Through a floor or ceiling the prism stays the same: its exit section is no entry of the next cell.
