@@ -1,0 +1,55 @@
+// A Sweet Home 3D home: Home.xml out of the archive, element by element into the plan (docs/sweet-home.md).
+#include <filesystem>
+
+#include "plans/read.h"
+#include "plans/sweet_home_archive.h"
+#include "plans/sweet_home_parts.h"
+
+namespace enfilade::plans {
+namespace {
+
+/// The home's name is often the path where it was once saved.
+std::string plan_name(const std::string& attribute, const std::string& file_name) {
+    std::string name = attribute.empty() ? file_name : attribute;
+    if (const std::size_t slash = name.find_last_of("/\\"); slash != std::string::npos) name.erase(0, slash + 1);
+    for (const char* ending : {".sh3d", ".sh3x"})
+        if (name.size() > 5 && name.ends_with(ending)) name.resize(name.size() - 5);
+    return name;
+}
+
+void report_hidden(Home& home) {
+    for (std::size_t k = 0; k < home.plan.storeys.size(); ++k) {
+        if (home.hidden[k] == 0) continue;
+        const Storey& storey = home.plan.storeys[k];
+        home.report(finding_at(storey, "P176", Severity::Note,
+                               std::to_string(home.hidden[k]) + " pieces of furniture are set invisible and left out.",
+                               "Set them visible in Sweet Home 3D to have them.", {"storey", storey.id, storey.name},
+                               {}));
+    }
+}
+
+}  // namespace
+
+Plan read_sweet_home(std::span<const std::byte> bytes, const std::string& file_name) {
+    pugi::xml_document document;
+    parse_home_xml(document, home_xml(bytes, file_name), file_name);
+    Home home(document.document_element());
+    const HomeElement root(document.document_element(), home.plan.findings);
+    home.plan.name = plan_name(root.text("name"), file_name);
+    read_levels(root, home);
+    for (const pugi::xml_node node : root.node().children()) {
+        const std::string_view kind = node.name();
+        const HomeElement element = root.child(node);
+        if (kind == "wall") read_wall(element, home);
+        else if (kind == "room") read_room(element, home);
+        else if (kind == "pieceOfFurniture" || kind == "doorOrWindow" || kind == "light" || kind == "furnitureGroup" ||
+                 kind == "shelfUnit")
+            read_piece(element, home, "", 0);
+    }
+    for (std::size_t k = 0; k < home.plan.storeys.size(); ++k)
+        bind_openings(home.plan.storeys[k], std::move(home.openings[k]), home);
+    report_hidden(home);
+    return std::move(home.plan);
+}
+
+}  // namespace enfilade::plans
