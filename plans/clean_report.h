@@ -1,7 +1,10 @@
 #pragma once
 // How cleaning says what it did: one finding per repair, none twice.
 
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -20,7 +23,17 @@ public:
     }
 
     void add(Finding finding) {
-        if (known_.insert(key(finding)).second) findings_.push_back(std::move(finding));
+        if (known_.insert(key(finding)).second) fresh_.push_back(std::move(finding));
+    }
+
+    /// Puts the new findings behind the old ones, in an order that does not depend on that of the file.
+    void finish() {
+        std::sort(fresh_.begin(), fresh_.end(), [](const Finding& l, const Finding& r) {
+            return std::tie(l.code, l.storey, l.sentence) < std::tie(r.code, r.storey, r.sentence);
+        });
+        findings_.insert(findings_.end(), std::make_move_iterator(fresh_.begin()),
+                         std::make_move_iterator(fresh_.end()));
+        fresh_.clear();
     }
 
 private:
@@ -29,6 +42,7 @@ private:
     }
 
     std::vector<Finding>& findings_;
+    std::vector<Finding> fresh_;
     std::unordered_set<std::string> known_;
 };
 

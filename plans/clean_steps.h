@@ -24,8 +24,10 @@ void clean_storeys(Plan& plan, CleanReport& report);
 /// Drops storeys that hold nothing to build.
 void drop_empty_storeys(Plan& plan, CleanReport& report);
 
-/// Walls that cannot be built, are too short, or lie on another. Returns whether anything changed.
+/// Walls that cannot be built, or are too short. Returns whether anything changed.
 bool clean_walls(Storey& storey, CleanReport& report);
+/// Walls that lie on another wholly; their openings go over to it. Returns whether anything changed.
+bool drop_duplicate_walls(Storey& storey, CleanReport& report);
 /// Notes walls higher than their storey.
 void note_high_walls(const Storey& storey, CleanReport& report);
 

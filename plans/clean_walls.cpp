@@ -10,6 +10,8 @@
 namespace enfilade::plans {
 namespace {
 
+constexpr double kThinnestDrawn = 0.01;  ///< m: what a wall drawn as a line stands for
+
 bool numbers(const Wall& wall) {
     return std::isfinite(wall.start.x) && std::isfinite(wall.start.y) && std::isfinite(wall.end.x) &&
            std::isfinite(wall.end.y) && std::isfinite(wall.arc_extent) && std::isfinite(wall.thickness) &&
@@ -52,9 +54,39 @@ bool clean_walls(Storey& storey, CleanReport& report) {
     std::vector<Wall> walls;
     for (const Wall& wall : storey.walls)
         if (!unusable(wall, storey, report)) walls.push_back(wall);
-    const bool changed = walls.size() != storey.walls.size();
+    bool changed = walls.size() != storey.walls.size();
     storey.walls = std::move(walls);
+    for (Wall& wall : storey.walls)
+        if (wall.thickness == 0) {
+            Finding finding = about("P212", Severity::Warning, "wall", wall, storey, axis_of(wall).at(0.5));
+            finding.sentence = named("Wall", wall, storey) + " has no thickness: it is built " +
+                               millimetres_text(kThinnestDrawn) + " thick.";
+            finding.hint = "Give it a thickness.";
+            finding.moved_mm = kThinnestDrawn / 2 * 1000;
+            wall.thickness = kThinnestDrawn;
+            report.add(std::move(finding));
+            changed = true;
+        }
     return changed;
+}
+
+void note_high_walls(const Storey& storey, CleanReport& report) {
+    std::size_t count = 0;
+    const Wall* highest = nullptr;
+    const auto top = [](const Wall& wall) { return std::max(wall.height_at_start, wall.height_at_end); };
+    for (const Wall& wall : storey.walls) {
+        if (top(wall) <= storey.height + level_tops) continue;
+        ++count;
+        if (highest == nullptr || top(wall) > top(*highest) || (top(wall) == top(*highest) && wall.id < highest->id))
+            highest = &wall;
+    }
+    if (count == 0) return;
+    Finding finding = about("P218", Severity::Note, "wall", *highest, storey, axis_of(*highest).at(0.5));
+    finding.sentence = "Storey " + called(storey) + " is " + metres_text(storey.height) + " high and has " +
+                       std::to_string(count) + " wall" + (count == 1 ? "" : "s") + " above that, the highest " +
+                       metres_text(top(*highest)) + ": they end at its ceiling.";
+    finding.hint = "Make the storey higher if it is meant to be.";
+    report.add(std::move(finding));
 }
 
 }  // namespace enfilade::plans
