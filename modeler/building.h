@@ -27,7 +27,7 @@ struct Piece {
 struct Corner {
     std::uint32_t vertex = 0;     ///< into Prisms::points
     std::uint32_t half_edge = 0;  ///< the edge to the next corner: 2 * edge, + 1 where it is run backwards
-    std::uint32_t line = 0;       ///< into Building::lines: sides of one line count as straight where they meet
+    std::uint32_t line = 0;       ///< below Building::line_count: sides of one line count as straight where they meet
 };
 
 /// A volume of the map: the prism over a piece between two levels.
@@ -67,7 +67,8 @@ struct Building {
 
     std::vector<Space> spaces;
     std::vector<StoreyInfo> storeys;
-    std::vector<PlanLine> lines;
+    std::uint32_t line_count = 0;  ///< lines of the plan and cuts
+    std::vector<WallColour> wall_colours;
     std::vector<plans::GridPoint> points;
     std::vector<PlanEdge> edges;
     std::vector<Piece> pieces;

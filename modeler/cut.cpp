@@ -85,7 +85,7 @@ CutPieces cut(const Stack& stack, Cutting cutting) {
     CutPieces pieces;
     pieces.points = stack.points;
     for (const StackEdge& edge : stack.edges) pieces.segments.push_back({edge.a, edge.b});
-    pieces.line_count = std::uint32_t(stack.lines.size());
+    pieces.line_count = stack.line_count;
     PieceList list(pieces);
     for (std::uint32_t r = 0; r < stack.regions.size(); ++r) cut_region(stack, r, cutting, pieces, list);
     return pieces;

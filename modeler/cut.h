@@ -21,7 +21,7 @@ enum class Cutting {
 struct CutPieces {
     std::vector<plans::GridPoint> points;
     std::vector<std::array<std::uint32_t, 2>> segments;  ///< into `points`
-    std::uint32_t line_count = 0;            ///< lines below Stack::lines.size() are the plan's, the others cuts
+    std::uint32_t line_count = 0;            ///< lines below Stack::line_count are the plan's, the others cuts
     std::vector<std::uint32_t> region;       ///< [piece]
     std::vector<std::uint32_t> disc;         ///< [piece] the disc that it is cut from; discs ascend
     std::vector<std::uint32_t> disc_region;  ///< [disc]

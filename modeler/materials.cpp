@@ -1,5 +1,6 @@
 #include "modeler/materials.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -38,11 +39,17 @@ std::string material_name(Surface surface, const plans::Colour& colour) {
 
 std::optional<plans::Colour> Materials::colour(Surface surface, std::uint32_t viewer_space, std::uint32_t behind_space,
                                                std::uint32_t line) const {
+    const std::vector<WallColour>& colours = building_.wall_colours;
     switch (surface) {
         case Surface::WallPaper:
         case Surface::Facade:
-            if (line < building_.lines.size() && building_.lines[line].wall_space == behind_space)
-                return building_.lines[line].colour;
+            if (const auto at =
+                    std::lower_bound(colours.begin(), colours.end(), std::pair(line, behind_space),
+                                     [](const WallColour& wall, const std::pair<std::uint32_t, std::uint32_t>& key) {
+                                         return std::pair(wall.line, wall.wall_space) < key;
+                                     });
+                at != colours.end() && at->line == line && at->wall_space == behind_space)
+                return at->colour;
             return std::nullopt;
         case Surface::Floor: return building_.spaces[viewer_space].colour;
         case Surface::Ceiling: return building_.spaces[viewer_space].ceiling_colour;

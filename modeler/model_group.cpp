@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_lines = std::size_t(1) << 28;  ///< what a damaged file may make us allocate
-
 /// Rows of 32-bit numbers <-> the building's tables: `visit(row)` names the columns, in order, for both ways.
 template <class Row>
 struct Columns;
@@ -146,11 +144,10 @@ Json meta_json(const Building& building) {
                                   colour_json(space.colour), colour_json(space.ceiling_colour), space.closed});
     for (const StoreyInfo& storey : building.storeys)
         meta["storeys"].push_back({storey.id, storey.name, storey.z_floor, storey.z_ceiling});
-    meta["line_count"] = building.lines.size();  // cuts are lines too: they stand behind the plan's and hold nothing
-    meta["lines"] = Json::array();
-    for (std::uint32_t k = 0; k < building.lines.size(); ++k)
-        if (const PlanLine& line = building.lines[k]; line.wall_space != UINT32_MAX)
-            meta["lines"].push_back({k, line.wall_space, colour_json(line.colour)});
+    meta["line_count"] = building.line_count;
+    meta["wall_colours"] = Json::array();
+    for (const WallColour& wall : building.wall_colours)
+        meta["wall_colours"].push_back({wall.line, wall.wall_space, wall.colour});
     meta["findings"] = Json::array();
     for (const Finding& finding : building.findings) meta["findings"].push_back(finding_json(finding));
     return meta;
@@ -172,9 +169,9 @@ void read_meta(const Json& meta, Building& building) {
                                    colour_from(row.at(6)), colour_from(row.at(7)), row.at(8)});
     }
     for (const Json& row : meta.at("storeys")) building.storeys.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
-    building.lines.resize(std::min<std::size_t>(meta.at("line_count"), most_lines));
-    for (const Json& row : meta.at("lines"))
-        building.lines.at(row.at(0).get<std::size_t>()) = {row.at(1), colour_from(row.at(2))};
+    building.line_count = meta.at("line_count");
+    for (const Json& row : meta.at("wall_colours"))
+        building.wall_colours.push_back({row.at(0), row.at(1), row.at(2).get<plans::Colour>()});
     for (const Json& row : meta.at("findings")) building.findings.push_back(finding_from(row));
 }
 
@@ -187,7 +184,7 @@ void check_indices(const Building& b) {
         below(edge.a, b.points.size(), "a point"), below(edge.b, b.points.size(), "a point");
     for (const Corner& corner : b.corners)
         below(corner.vertex, b.points.size(), "a point"), below(corner.half_edge / 2, b.edges.size(), "an edge"),
-            below(corner.line, b.lines.size(), "a line");
+            below(corner.line, b.line_count, "a line");
     for (const Piece& piece : b.pieces) {
         if (piece.corner_count < 3) damaged("a piece without area");
         below(std::uint64_t(piece.first_corner) + piece.corner_count - 1, b.corners.size(), "a corner");

@@ -34,7 +34,7 @@ struct PlanGraph {
     std::vector<std::uint32_t> source;           ///< [piece] into CutPieces
     std::vector<std::uint32_t> first_ring;       ///< [piece + 1] into `ring`
     std::vector<std::uint32_t> ring;             ///< half-edges around a piece, counter-clockwise
-    std::vector<std::uint32_t> ring_line;        ///< [ring] below Stack::lines.size(): of the plan; from there on: cuts
+    std::vector<std::uint32_t> ring_line;        ///< [ring] below Stack::line_count: of the plan; from there on: cuts
     std::vector<TangledPiece> tangled;           ///< not among the pieces
     [[nodiscard]] std::uint32_t piece_count() const { return std::uint32_t(source.size()); }
     [[nodiscard]] std::span<const std::uint32_t> piece(std::uint32_t k) const {

@@ -23,8 +23,8 @@ void describe_plan(const Stack& stack, const PlanGraph& graph, const CutPieces& 
             building.corners.push_back(
                 {plans::origin(graph.graph, ring[k]), ring[k], graph.ring_line[graph.first_ring[p] + k]});
     }
-    building.lines = stack.lines;
-    building.lines.resize(pieces.line_count);
+    building.line_count = pieces.line_count;
+    building.wall_colours = stack.wall_colours;
 }
 
 }  // namespace

@@ -129,15 +129,21 @@ private:
     }
 
     void add_lines() {
-        for (const plans::LineSource& source : layout_.lines) {
-            PlanLine line;
-            if (source.storey != no_index && source.wall != no_index) {
+        stack_.line_count = std::uint32_t(layout_.lines.size());
+        std::map<std::pair<std::uint32_t, std::uint32_t>, plans::Colour> colours;
+        for (std::size_t e = 0; e < layout_.graph.edges.size(); ++e) {
+            const plans::NodedEdge& edge = layout_.graph.edges[e];
+            for (std::uint32_t u = edge.first_use; u < edge.first_use + edge.use_count; ++u) {
+                const plans::LineSource& source = layout_.lines[std::size_t(layout_.use_line[u])];
+                if (source.storey == no_index || source.wall == no_index) continue;
                 const plans::Wall& wall = storey(source.storey).walls[source.wall];
-                line.wall_space = spaces_[source.storey].walls[source.wall];
-                line.colour = source.left_side ? wall.left_colour : wall.right_colour;
+                const auto& colour = source.left_side ? wall.left_colour : wall.right_colour;
+                if (!colour) continue;
+                const std::uint32_t space = spaces_[source.storey].walls[source.wall];
+                colours.emplace(std::pair(std::uint32_t(layout_.edge_line[e]), space), *colour);
             }
-            stack_.lines.push_back(line);
         }
+        for (const auto& [key, colour] : colours) stack_.wall_colours.push_back({key.first, key.second, colour});
     }
 
     std::uint32_t add_column(const std::vector<Slice>& slices) {

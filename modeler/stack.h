@@ -36,10 +36,11 @@ struct StoreyInfo {
     std::int32_t z_ceiling = 0;
 };
 
-/// The plan's line under an edge, for "straight" and for colours.
-struct PlanLine {
-    std::uint32_t wall_space = UINT32_MAX;  ///< into Stack::spaces
-    std::optional<plans::Colour> colour;
+/// The colour that the plan gives to the side of a wall that lies on a line.
+struct WallColour {
+    std::uint32_t line = 0;
+    std::uint32_t wall_space = 0;  ///< into Stack::spaces
+    plans::Colour colour = {};
 };
 
 /// Part of a column, from the slice below it (or the band's bottom) up to `z_high`.
@@ -94,7 +95,8 @@ struct Stack {
     std::vector<std::uint32_t> boundary;  ///< half-edges: 2 * edge, + 1 where it is run from b to a
     std::vector<Space> spaces;            ///< 0 is the exterior, 1 the ground, 2 the outside
     std::vector<StoreyInfo> storeys;
-    std::vector<PlanLine> lines;
+    std::uint32_t line_count = 0;
+    std::vector<WallColour> wall_colours;  ///< by line, then space
 };
 
 inline constexpr std::uint32_t exterior_space = 0;
