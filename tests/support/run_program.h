@@ -25,7 +25,8 @@ struct Outcome {
 [[nodiscard]] inline Outcome run_program(const std::vector<std::string>& words, const std::filesystem::path& folder) {
     std::array<int, 2> out_pipe;
     std::array<int, 2> err_pipe;
-    if (pipe2(out_pipe.data(), O_CLOEXEC) != 0 || pipe2(err_pipe.data(), O_CLOEXEC) != 0) throw std::runtime_error("pipe");
+    if (pipe2(out_pipe.data(), O_CLOEXEC) != 0 || pipe2(err_pipe.data(), O_CLOEXEC) != 0)
+        throw std::runtime_error("pipe");
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
