@@ -42,9 +42,7 @@ Plan read_sweet_home(std::span<const std::byte> bytes, const std::string& file_n
         const HomeElement element = root.child(node);
         if (kind == "wall") read_wall(element, home);
         else if (kind == "room") read_room(element, home);
-        else if (kind == "pieceOfFurniture" || kind == "doorOrWindow" || kind == "light" || kind == "furnitureGroup" ||
-                 kind == "shelfUnit")
-            read_piece(element, home, "", 0);
+        else read_piece(element, home, "");
     }
     for (std::size_t k = 0; k < home.plan.storeys.size(); ++k)
         bind_openings(home.plan.storeys[k], std::move(home.openings[k]), home);

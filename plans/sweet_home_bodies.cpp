@@ -24,19 +24,7 @@ std::vector<Point> cut(const std::vector<Point>& polygon, Point normal, double l
     return kept;
 }
 
-}  // namespace
-
-std::vector<Point> PlanRectangle::corners() const {
-    const Point x = along * (width / 2);
-    const Point y = turned_left(along) * (depth / 2);
-    return {middle - x - y, middle + x - y, middle + x + y, middle - x + y};
-}
-
-Point PlanRectangle::local(Point p) const {
-    const Point d = p - middle;
-    return {dot(d, along), cross(along, d)};
-}
-
+/// The part of the convex polygon inside the rectangle, in its coordinates; empty where they do not meet.
 std::vector<Point> clipped(const std::vector<Point>& convex, const PlanRectangle& rectangle) {
     std::vector<Point> rest;
     rest.reserve(convex.size());
@@ -48,23 +36,25 @@ std::vector<Point> clipped(const std::vector<Point>& convex, const PlanRectangle
     return rest;
 }
 
+}  // namespace
+
+Point PlanRectangle::local(Point p) const {
+    const Point d = p - middle;
+    return {dot(d, along), cross(along, d)};
+}
+
 WallBody::WallBody(const Wall& wall)
     : half(wall.thickness / 2), height(std::max(wall.height_at_start, wall.height_at_end)) {
     if (!(distance(wall.start, wall.end) > 1e-6)) return;
     axis = WallAxis(wall.start, wall.end, wall.arc_extent, 1e-5);
-    usable = true;
     const double step = std::numbers::pi / 36;  // 5 degrees: 1 mm beside the arc at a radius of 1 m
     const int chords = axis.straight() ? 1 : std::clamp(int(std::abs(axis.extent()) / step) + 1, 1, 96);
-    min = max = wall.start;
     for (int k = 0; k < chords; ++k) {
         const double from = double(k) / chords;
         const double to = double(k + 1) / chords;
         pieces.push_back(
             {axis.offset(from, -half), axis.offset(to, -half), axis.offset(to, half), axis.offset(from, half)});
-        for (const Point p : pieces.back()) {
-            min = {std::min(min.x, p.x), std::min(min.y, p.y)};
-            max = {std::max(max.x, p.x), std::max(max.y, p.y)};
-        }
+        for (const Point p : pieces.back()) box.add(p);
     }
 }
 
@@ -76,9 +66,53 @@ double WallBody::overlap(const PlanRectangle& rectangle) const {
     return area;
 }
 
+LocalBox WallBody::extent_in(const PlanRectangle& rectangle) const {
+    LocalBox extent;
+    for (const auto& piece : pieces)
+        for (const Point p : clipped(piece, rectangle)) extent.add(p);
+    return extent;
+}
+
 double WallBody::offset_of(Point p) const {
     if (!axis.straight()) return axis.nearest(p) * axis.length();
     return dot(p - axis.at(0), along(0));
+}
+
+double WallBody::distance_of(Point p) const { return distance(p, axis.at(axis.nearest(p))); }
+
+bool WallBody::beside(Point p, double tolerance) const {
+    if (axis.straight()) {
+        const double offset = offset_of(p);
+        return offset >= -tolerance && offset <= axis.length() + tolerance;
+    }
+    const double t = axis.nearest(p);
+    if (t > 0 && t < 1) return true;
+    const Point end = axis.at(t);
+    return std::abs(dot(p - end, along(t))) <= tolerance;
+}
+
+namespace {
+
+std::vector<PlanBox> grown_boxes(const std::vector<WallBody>& bodies, double reach) {
+    std::vector<PlanBox> boxes;
+    boxes.reserve(bodies.size());
+    for (const WallBody& body : bodies) boxes.push_back(body.usable() ? body.box.grown(reach) : PlanBox());
+    return boxes;
+}
+
+}  // namespace
+
+StoreyBodies::StoreyBodies(const Storey& storey, double reach)
+    : bodies_(storey.walls.begin(), storey.walls.end()),
+      indexed_(bodies_.size()),
+      index_(grown_boxes(bodies_, reach)) {}
+
+std::vector<std::size_t> StoreyBodies::near(Point p) const {
+    std::vector<std::size_t> walls;
+    index_.near(p, [&](std::uint32_t wall) { walls.push_back(wall); });
+    for (std::size_t wall = indexed_; wall < bodies_.size(); ++wall)
+        if (bodies_[wall].usable()) walls.push_back(wall);
+    return walls;
 }
 
 }  // namespace enfilade::plans

@@ -14,7 +14,6 @@ namespace enfilade::plans {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int max_group_depth = 64;
 constexpr NumberRange extent{0, limits::thickness, true};
 constexpr NumberRange height_range{-limits::height, limits::height};
 constexpr NumberRange share{0, 1};
@@ -253,23 +252,42 @@ void add_opening(const HomeElement& element, const Box& box, const std::string& 
 
 }  // namespace
 
-void read_piece(const HomeElement& element, Home& home, const std::string& level_of_group, int depth) {
+namespace {
+
+bool is_piece(std::string_view kind) {
+    return kind == "pieceOfFurniture" || kind == "doorOrWindow" || kind == "light" || kind == "shelfUnit" ||
+           kind == "furnitureGroup";
+}
+
+/// Pieces of a group have their places in the plan, not in the group; their level may be the group's.
+void read_group(const HomeElement& element, Home& home, const std::string& level) {
+    const bool shown = element.flag("visible", true);
+    std::size_t pieces = 0;
+    for (const pugi::xml_node node : element.node().children()) {
+        if (!is_piece(node.name())) continue;
+        ++pieces;
+        if (shown) read_piece(element.child(node), home, level);
+    }
+    if (!shown && pieces > 0) home.hidden[home.storey_for(element, level)] += pieces;
+}
+
+void report_unusable_piece(const HomeElement& element, const std::string& id, const Storey& storey, Home& home) {
+    // A piece of furniture is no part of the building: without it the rest is as sound as with it.
+    const bool opening = std::string_view(element.node().name()) == "doorOrWindow";
+    home.report(finding_at(
+        storey, "P170", opening ? Severity::Error : Severity::Warning,
+        "The " + element.label() + " is left out: the file does not give its place and its sizes as numbers above 0.",
+        "Delete it in Sweet Home 3D and place it again.", {opening ? "opening" : "furniture", id, element.text("name")},
+        point_of(element, "x", "y")));
+}
+
+}  // namespace
+
+void read_piece(const HomeElement& element, Home& home, const std::string& level_of_group) {
     const std::string level = element.has("level") ? element.text("level") : level_of_group;
     const std::string_view kind = element.node().name();
-    if (kind == "furnitureGroup" || kind == "shelfUnit") {
-        const bool shown = element.flag("visible", true) && depth < max_group_depth;
-        std::size_t pieces = 0;
-        for (const pugi::xml_node node : element.node().children()) {
-            const std::string_view part = node.name();
-            const bool piece = part == "pieceOfFurniture" || part == "doorOrWindow" || part == "light" ||
-                               part == "furnitureGroup" || part == "shelfUnit";
-            if (!piece) continue;
-            ++pieces;
-            if (shown) read_piece(element.child(node), home, level, depth + 1);
-        }
-        if (!shown && pieces > 0) home.hidden[home.storey_for(element, level)] += pieces;
-        if (kind == "furnitureGroup") return;
-    }
+    if (!is_piece(kind)) return;
+    if (kind == "furnitureGroup") return read_group(element, home, level);
     const std::size_t index = home.storey_for(element, level);
     Storey& storey = home.plan.storeys[index];
     const std::string id = home.ids.take(element.text("id"), std::string(kind));
@@ -278,14 +296,7 @@ void read_piece(const HomeElement& element, Home& home, const std::string& level
         return;
     }
     const std::optional<Box> box = read_box(element);
-    if (!box) {
-        home.report(finding_at(
-            storey, "P170", Severity::Error,
-            "The " + element.label() + " is left out: its place and its sizes are not all finite numbers above 0.",
-            "Delete it in Sweet Home 3D and place it again.",
-            {kind == "doorOrWindow" ? "opening" : "furniture", id, element.text("name")}, {}));
-        return;
-    }
+    if (!box) return report_unusable_piece(element, id, storey, home);
     if (kind == "doorOrWindow") return add_opening(element, *box, id, index, home);
     if (add_stair(element, *box, id, index, home)) return;
     add_furniture(element, *box, id, storey);

@@ -67,8 +67,8 @@ struct Home {
 void read_levels(const HomeElement& home_element, Home& home);
 void read_wall(const HomeElement& element, Home& home);
 void read_room(const HomeElement& element, Home& home);
-/// A piece of furniture, door, light or group with all that it holds. \pre walls need not be read before
-void read_piece(const HomeElement& element, Home& home, const std::string& level, int depth);
+/// A piece of furniture, door, light or group with all that it holds; other elements are passed over.
+void read_piece(const HomeElement& element, Home& home, const std::string& level_of_group);
 /// Finds the walls of all doors and windows of a storey and moves them into its openings.
 void bind_openings(Storey& storey, std::vector<PlacedOpening> placed, Home& home);
 

@@ -1,5 +1,6 @@
 #include "plans/sweet_home_xml.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -14,35 +15,50 @@ namespace enfilade::plans {
 namespace {
 
 constexpr int max_depth = 256;
+constexpr std::size_t max_elements = 4'000'000;
 
-/// Goes once over the text for what pugixml does not mind: bare or unknown `&`, and nesting without end.
-class Scanner {
-public:
-    Scanner(std::string_view text, const std::string& file_name) : text_(text), file_(file_name) {}
+struct Fault {
+    const char* code;
+    std::size_t at;  ///< byte
+    std::string sentence;
+};
 
-    void run() {
-        while (at_ < text_.size()) {
-            if (text_[at_] == '&') reference();
-            else if (text_[at_] == '<') markup();
-            else ++at_;
+[[noreturn]] void refuse(std::string_view text, const Fault& fault, const std::string& file_name) {
+    int line = 1;
+    int column = 1;
+    for (const char c : text.substr(0, fault.at)) {
+        if (c == '\n') {
+            ++line;
+            column = 1;
+        } else if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) {
+            ++column;
         }
     }
+    throw InputError(fault.code, file_name, line, column, "Home.xml in this file " + fault.sentence);
+}
 
-    [[noreturn]] void fail(const char* code, std::size_t at, const std::string& sentence) const {
-        int line = 1;
-        int column = 1;
-        for (std::size_t k = 0; k < std::min(at, text_.size()); ++k) {
-            if (text_[k] == '\n') {
-                ++line;
-                column = 1;
-            } else if ((static_cast<unsigned char>(text_[k]) & 0xC0u) != 0x80u) {
-                ++column;
-            }
+/// Goes once over the text for what pugixml does not mind: bare or unknown `&`, NUL, and nesting without end.
+class Scanner {
+public:
+    explicit Scanner(std::string_view text) : text_(text) {}
+
+    /// The first fault.
+    std::optional<Fault> run() {
+        while (at_ < text_.size() && !fault_) {
+            if (text_[at_] == '&') reference();
+            else if (text_[at_] == '<') markup();
+            else if (text_[at_] == 0) fail("P154", at_, "holds a zero byte; it must be XML in UTF-8.");
+            else ++at_;
         }
-        throw InputError(code, file_, line, column, "Home.xml in this file " + sentence);
+        return fault_;
     }
 
 private:
+    void fail(const char* code, std::size_t at, std::string sentence) {
+        if (!fault_) fault_ = Fault{code, at, std::move(sentence)};
+        at_ = text_.size();
+    }
+
     /// Moves behind the closing words of a comment, a CDATA section or an instruction.
     void skip_past(std::string_view closing) {
         const std::size_t end = text_.find(closing, at_);
@@ -61,32 +77,34 @@ private:
     void tag(bool closing) {
         const std::size_t start = at_++;
         char quote = 0;
-        while (at_ < text_.size()) {
+        for (; at_ < text_.size(); ++at_) {
             const char c = text_[at_];
             if (c == '&') {
                 reference();
-                continue;
-            }
-            if (c == '<')
-                fail("P154", at_,
-                     quote != 0 ? "is not well-formed XML: a value may not hold \"<\"; write \"&lt;\"."
-                                : "is not well-formed XML: a tag is not closed before the next one begins.");
-            if (quote != 0) {
+                --at_;
+            } else if (c == '<') {
+                return fail("P154", at_,
+                            quote != 0 ? "is not well-formed XML: a value may not hold \"<\"; write \"&lt;\"."
+                                       : "is not well-formed XML: a tag is not closed before the next one begins.");
+            } else if (quote != 0) {
                 if (c == quote) quote = 0;
             } else if (c == '"' || c == '\'') {
                 quote = c;
             } else if (c == '>') {
                 break;
             }
-            ++at_;
         }
-        const bool empty = at_ < text_.size() && text_[at_ - 1] == '/';
+        if (at_ >= text_.size()) return;  // pugixml names an open end
+        const bool empty = text_[at_ - 1] == '/';
         if (closing) --depth_;
         else if (!empty && ++depth_ > max_depth)
-            fail("P156", start, "nests its elements more than 256 deep, which no home does.");
+            return fail("P156", start, "nests its elements more than 256 deep, which no home does.");
+        if (!closing && ++elements_ > max_elements)
+            return fail("P156", start, "has more than 4 million elements, which no home has.");
         ++at_;
     }
 
+    /// Ends behind the reference, or at the end of the text after a fault.
     void reference() {
         const std::size_t end =
             text_.find_first_not_of("#ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", at_ + 1);
@@ -94,11 +112,14 @@ private:
             end == std::string_view::npos || text_[end] != ';' ? "" : text_.substr(at_ + 1, end - at_ - 1);
         const bool known =
             name == "amp" || name == "lt" || name == "gt" || name == "quot" || name == "apos" || is_number(name);
-        if (!known)
-            fail("P154", at_,
-                 name.empty() ? "is not well-formed XML: \"&\" must be written \"&amp;\"."
-                              : "is not well-formed XML: the entity \"&" + std::string(name) + ";\" is not known.");
-        at_ = end + 1;
+        if (known) {
+            at_ = end + 1;
+            return;
+        }
+        fail("P154", at_,
+             name.empty()
+                 ? "is not well-formed XML: \"&\" must be written \"&amp;\"."
+                 : "is not well-formed XML: the entity \"&" + std::string(name.substr(0, 40)) + ";\" is not known.");
     }
 
     static bool is_number(std::string_view name) {
@@ -112,9 +133,10 @@ private:
     }
 
     std::string_view text_;
-    const std::string& file_;
     std::size_t at_ = 0;
+    std::size_t elements_ = 0;
     int depth_ = 0;
+    std::optional<Fault> fault_;
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -149,19 +171,17 @@ std::optional<std::uint32_t> argb(std::string_view text) {
 }  // namespace
 
 void parse_home_xml(pugi::xml_document& document, std::string_view text, const std::string& file_name) {
-    Scanner scanner(text, file_name);
-    // UTF-16, which Sweet Home 3D never writes, is left to pugixml.
-    const bool bytes = !text.starts_with("\xFE\xFF") && !text.starts_with("\xFF\xFE");
+    const std::optional<Fault> fault = Scanner(text).run();
+    if (fault && fault->code == std::string_view("P156")) refuse(text, *fault, file_name);
     const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
-    if (bytes) {
-        // The earlier fault is the cause: a tag that is not closed also leaves strange references behind it.
-        if (!result) Scanner(text.substr(0, std::size_t(std::max<std::ptrdiff_t>(result.offset, 0))), file_name).run();
-        else scanner.run();
+    // The earlier fault is the cause of the later one.
+    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
+    if (fault && (result || fault->at <= offset)) refuse(text, *fault, file_name);
+    if (!result) {
+        std::string reason = result.description();
+        if (!reason.empty() && reason.front() >= 'A' && reason.front() <= 'Z') reason.front() += 'a' - 'A';
+        refuse(text, {"P154", offset, "is not well-formed XML: " + reason + "."}, file_name);
     }
-    if (!result)
-        scanner.fail("P154", std::size_t(std::max<std::ptrdiff_t>(result.offset, 0)),
-                     "is not well-formed XML: " + std::string(result.description()) +
-                         ". Save the home again, or mend it at this place.");
     const std::string root = to_utf8(document.document_element().name());
     if (root != "home")
         throw InputError(
