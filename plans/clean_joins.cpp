@@ -3,6 +3,9 @@
 // An end is left alone where it shares its place with another end, or lies in another wall's body away from that
 // wall's ends: outlines are tight there. Every other end within reach of something is moved to it. Walls are visited
 // by id, each sees what those before it did, and rounds run until none moves.
+//
+// A door may stand in the gap between two walls (people leave the wall out where the door is): the wall that it is
+// bound to is extended through the gap first.
 
 #include <algorithm>
 #include <array>
@@ -12,6 +15,7 @@
 #include <optional>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include "plans/box_index.h"
 #include "plans/clean_steps.h"
@@ -23,6 +27,9 @@ constexpr double kOnePlace = 0.0004;  ///< m: outlines make one place of such en
 constexpr double kHarmless = 0.001;   ///< m: smaller moves are noted, not warned of
 constexpr double kCrossing = 0.3;     ///< sine of the least angle at which an end runs into a wall rather than along it
 constexpr double kSameWay = 0.9;      ///< cosine: walls leaving a place like this lie beside each other
+constexpr double kBesideEnd = 0.15;   ///< m: openings that begin this close to a wall's end stand beside it
+constexpr double kBesideDoor = 0.3;   ///< m: a gap may be wider than the door in it
+constexpr double kWidestGap = 3;      ///< m
 constexpr int kMostRounds = 16;
 
 struct End {
@@ -46,6 +53,8 @@ public:
             const BoxIndex index(boxes());
             index_ = &index;
             bool moved = false;
+            for (const std::uint32_t w : order_)
+                for (const int which : {0, 1}) moved = bridge({w, which}) || moved;
             for (const std::uint32_t w : order_)
                 for (const int which : {0, 1}) moved = settle({w, which}) || moved;
             index_ = nullptr;
@@ -209,7 +218,7 @@ private:
         neighbours(e, [&](std::uint32_t w) {
             const double short_by = distance_to_axis(place(e), w) - half(w);
             if (short_by > gap_) return;
-            const std::optional<Reach> reach = reach_of(e, w);
+            const std::optional<Reach> reach = reach_of(e, w, (half(w) + gap_) / kCrossing);
             if (!reach) return;
             if (best &&
                 (reach->length > best->length || (reach->length == best->length && wall(best->wall).id < wall(w).id)))
@@ -233,12 +242,11 @@ private:
         return true;
     }
 
-    /// Where the axis, extended, crosses that of `host`: the change of side is found step by step, then by halves,
-    /// which serves arcs and lines alike.
-    [[nodiscard]] std::optional<Reach> reach_of(End e, std::uint32_t host) const {
+    /// Where the axis, extended by `most` metres at most, crosses that of `host`: the change of side is found step by
+    /// step, then by halves, which serves arcs and lines alike.
+    [[nodiscard]] std::optional<Reach> reach_of(End e, std::uint32_t host, double most) const {
         const WallAxis& axis = axes_[e.wall];
         const WallAxis& other = axes_[host];
-        const double most = (half(host) + gap_) / kCrossing;
         const double sign = e.which == 0 ? -1 : 1;
         const auto share = [&](double length) { return e.which + sign * length / axis.length(); };
         const auto side = [&](double length) {
@@ -267,6 +275,74 @@ private:
         // Beyond the ends of `host` the side changes without a crossing.
         if (distance_to_axis(axis.at(share(high)), host) > gap_) return std::nullopt;
         return Reach{share(high), high, host};
+    }
+
+    /// The opening that reaches farthest beyond the end, out of those that begin at the wall or next to it.
+    [[nodiscard]] std::pair<const Opening*, double> overhanging(End e) {
+        const Opening* farthest = nullptr;
+        double most = end_margin;
+        const double length = axes_[e.wall].length();
+        for (const std::uint32_t o : openings_of(wall(e.wall).id)) {
+            const Opening& opening = storey_.openings[o];
+            const double middle = e.which == 0 ? -opening.offset : opening.offset - length;
+            const double beyond = middle + opening.width / 2;
+            if (middle - opening.width / 2 > kBesideEnd || !(beyond <= kWidestGap)) continue;
+            if (beyond < most || (beyond == most && (farthest == nullptr || farthest->id < opening.id))) continue;
+            farthest = &opening;
+            most = beyond;
+        }
+        return {farthest, most};
+    }
+
+    struct FarSide {
+        Point at;
+        double length = HUGE_VAL;
+        std::uint32_t wall = UINT32_MAX;
+    };
+
+    /// What the wall meets first when it goes on straight for `most` metres: an end that faces it, or an axis.
+    [[nodiscard]] FarSide across(End e, double most) const {
+        FarSide best;
+        const Point from = place(e);
+        const Point ahead = along(e) * -1;
+        const auto consider = [&](const FarSide& side) {
+            if (side.length > most || side.length < kOnePlace) return;
+            if (side.length > best.length || (side.length == best.length && wall(best.wall).id < wall(side.wall).id))
+                return;
+            best = side;
+        };
+        const int samples = int(std::ceil(most / gap_)) + 1;
+        for (int k = 0; k <= samples; ++k)
+            index_->near(from + ahead * (most * k / samples), [&](std::uint32_t w) {
+                if (w == e.wall) return;
+                for (const int which : {0, 1}) {
+                    const Point arm = place({w, which}) - from;
+                    if (std::abs(cross(ahead, arm)) > std::max(half(w), half(e.wall))) continue;
+                    if (dot(along({w, which}), ahead) > kSameWay) consider({place({w, which}), dot(arm, ahead), w});
+                }
+                if (const auto reach = reach_of(e, w, most))
+                    consider({axes_[e.wall].at(reach->share), reach->length, w});
+            });
+        return best;
+    }
+
+    bool bridge(End e) {
+        if (!axes_[e.wall].straight()) return false;
+        const auto [opening, beyond] = overhanging(e);
+        if (opening == nullptr || settled(e)) return false;
+        const FarSide side = across(e, beyond + kBesideDoor);
+        if (side.wall == UINT32_MAX) return false;
+        Finding finding = about("P219", Severity::Warning, "opening", *opening, storey_, (place(e) + side.at) * 0.5);
+        finding.elements.push_back({"wall", wall(e.wall).id, wall(e.wall).name});
+        finding.elements.push_back({"wall", wall(side.wall).id, wall(side.wall).name});
+        finding.sentence = named("Opening", *opening, storey_) + " stands in a gap of " + metres_text(side.length) +
+                           " between walls " + called(wall(e.wall)) + " and " + called(wall(side.wall)) + " at " +
+                           place_text(place(e)) + ": the first was extended to the second.";
+        finding.hint = "Draw one wall through, and the opening in it.";
+        finding.moved_mm = side.length * 1000;
+        report_.add(std::move(finding));
+        move(e, side.at, 0);
+        return true;
     }
 
     void move(End e, Point at, double extent) {

@@ -80,6 +80,30 @@ void append(std::vector<Element>& to, std::vector<Element>& from) {
     from.clear();
 }
 
+std::string count_text(std::size_t count, const std::string& one, const std::string& more) {
+    return std::to_string(count) + " " + (count == 1 ? one : more);
+}
+
+std::string count_text(std::size_t count, const std::string& one) { return count_text(count, one, one + "s"); }
+
+/// Drops what would end under the floor of the storey that the level joins (false ceilings): its walls, and its
+/// rooms where all of it lies there. Returns how many.
+std::size_t drop_buried(Storey& level, double rise) {
+    const auto under = [&](double top) { return top + rise <= level_tops; };
+    std::size_t count = 0;
+    if (rise < 0)
+        count += std::erase_if(
+            level.walls, [&](const Wall& wall) { return under(std::max(wall.height_at_start, wall.height_at_end)); });
+    if (rise < 0 && under(level.height)) {
+        count += level.rooms.size();
+        level.rooms.clear();
+    }
+    std::unordered_set<std::string> walls;
+    for (const Wall& wall : level.walls) walls.insert(wall.id);
+    if (count > 0) count += std::erase_if(level.openings, [&](const Opening& o) { return !walls.contains(o.wall); });
+    return count;
+}
+
 /// Joins `level` to the floor of `base`. Tops of walls stay where they are; openings, lights and furniture keep
 /// their height above the floor on which they stand.
 void merge(Storey& base, Storey& level, CleanReport& report) {
@@ -91,6 +115,12 @@ void merge(Storey& base, Storey& level, CleanReport& report) {
                                    : " lies " + metres_text(std::abs(rise)) + (rise > 0 ? " above" : " below")) +
                         " storey " + called(base) + ", with no room between them: they were made one storey at " +
                         metres_text(base.elevation) + ".";
+    const std::size_t buried = drop_buried(level, rise);
+    if (buried > 0) {
+        finding.sentence.pop_back();
+        finding.sentence += "; " + count_text(buried, "element", "elements") + " under that floor " +
+                            (buried == 1 ? "was" : "were") + " left out.";
+    }
     finding.hint =
         "Give the two storeys elevations at least " + metres_text(kLeastRise) + " apart, or draw them as one.";
     finding.moved_mm = std::abs(rise) * 1000;
@@ -137,10 +167,6 @@ bool merge_two(std::vector<Storey>& storeys, std::string& ground, CleanReport& r
         return true;
     }
     return false;
-}
-
-std::string count_text(std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 /// What stands on a level that builds nothing goes to the storey in which it hangs.
