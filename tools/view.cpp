@@ -22,6 +22,7 @@ using render::Vec3d;
 
 constexpr double eye_height = 1.6;
 constexpr double cut_height = 2.0;  ///< of a dollhouse, above the floor: doors are open at it
+constexpr double wall_margin = 0.5;  ///< around the rooms of a storey, for the walls that are no cells
 constexpr const char* help =
     "from where: exterior (from the garden), aerial (from above), dollhouse or dollhouse:STOREY (one storey, cut open; "
     "storeys count from 0), or X,Y,Z:X,Y,Z (the eye, and what it looks at; metres, as in the plan). (dollhouse)";
@@ -118,6 +119,8 @@ View dollhouse(const accel::SceneView& scene, std::uint32_t storey, int width, i
     View view;
     view.cut_z = box.low.z + std::min(cut_height, 0.8 * (box.high.z - box.low.z));
     box.high.z = *view.cut_z;
+    box.low = box.low - Vec3d{wall_margin, wall_margin, 0};
+    box.high = box.high + Vec3d{wall_margin, wall_margin, 0};
     view.camera = fitted(box, {0.28, -0.62, 0.9}, 36, width, height);
     return view;
 }
