@@ -17,14 +17,29 @@ std::string plan_name(const std::string& attribute, const std::string& file_name
     return name;
 }
 
-void report_hidden(Home& home) {
+std::string pieces(std::size_t count) {
+    return count == 1 ? "One piece of furniture is" : std::to_string(count) + " pieces of furniture are";
+}
+
+void report_left_out(Home& home) {
     for (std::size_t k = 0; k < home.plan.storeys.size(); ++k) {
-        if (home.hidden[k] == 0) continue;
         const Storey& storey = home.plan.storeys[k];
-        home.report(finding_at(storey, "P176", Severity::Note,
-                               std::to_string(home.hidden[k]) + " pieces of furniture are set invisible and left out.",
-                               "Set them visible in Sweet Home 3D to have them.", {"storey", storey.id, storey.name},
-                               {}));
+        const std::string level = storey.name.empty() ? "" : " of level \"" + storey.name + "\"";
+        const ElementRef ref{"storey", storey.id, storey.name};
+        if (home.hidden[k] > 0)
+            home.report(finding_at(storey, "P176", Severity::Note,
+                                   pieces(home.hidden[k]) + " set invisible and left out" + level + ".",
+                                   "Set them visible in Sweet Home 3D to have them.", ref, {}));
+        if (std::vector<ElementRef>& lost = home.without_size[k]; !lost.empty()) {
+            Finding finding = finding_at(storey, "P179", Severity::Warning,
+                                         pieces(lost.size()) + " left out" + level +
+                                             ": the file does not give place and sizes as numbers above 0 (\"" +
+                                             (lost.front().name.empty() ? lost.front().id : lost.front().name) + "\"" +
+                                             (lost.size() > 1 ? " and others)." : ")."),
+                                         "Open the home in Sweet Home 3D, place them again and save it.", ref, {});
+            finding.elements = std::move(lost);
+            home.report(std::move(finding));
+        }
     }
 }
 
@@ -46,7 +61,7 @@ Plan read_sweet_home(std::span<const std::byte> bytes, const std::string& file_n
     }
     for (std::size_t k = 0; k < home.plan.storeys.size(); ++k)
         bind_openings(home.plan.storeys[k], std::move(home.openings[k]), home);
-    report_hidden(home);
+    report_left_out(home);
     return std::move(home.plan);
 }
 

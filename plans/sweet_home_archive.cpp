@@ -22,6 +22,8 @@ using Archive = std::unique_ptr<zip_t, DiscardZip>;
 using Entry = std::unique_ptr<zip_file_t, CloseEntry>;
 
 Archive open_archive(std::span<const std::byte> bytes, const std::string& file_name) {
+    // libzip takes no bytes at all for an archive without entries.
+    if (bytes.empty()) throw InputError("P150", file_name, "The file is empty; copy or save it again.");
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);

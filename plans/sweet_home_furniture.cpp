@@ -271,13 +271,17 @@ void read_group(const HomeElement& element, Home& home, const std::string& level
     if (!shown && pieces > 0) home.hidden[home.storey_for(element, level)] += pieces;
 }
 
-void report_unusable_piece(const HomeElement& element, const std::string& id, const Storey& storey, Home& home) {
-    // A piece of furniture is no part of the building: without it the rest is as sound as with it.
-    const bool opening = std::string_view(element.node().name()) == "doorOrWindow";
+/// A piece of furniture is no part of the building: without it the rest is as sound as with it, so that all such
+/// pieces of a level are told at once. A door that is lost is missed.
+void report_unusable_piece(const HomeElement& element, const std::string& id, std::size_t index, Home& home) {
+    if (std::string_view(element.node().name()) != "doorOrWindow") {
+        home.without_size[index].push_back({"furniture", id, element.text("name")});
+        return;
+    }
     home.report(finding_at(
-        storey, "P170", opening ? Severity::Error : Severity::Warning,
+        home.plan.storeys[index], "P170", Severity::Error,
         "The " + element.label() + " is left out: the file does not give its place and its sizes as numbers above 0.",
-        "Delete it in Sweet Home 3D and place it again.", {opening ? "opening" : "furniture", id, element.text("name")},
+        "Delete it in Sweet Home 3D and place it again.", {"opening", id, element.text("name")},
         point_of(element, "x", "y")));
 }
 
@@ -296,7 +300,7 @@ void read_piece(const HomeElement& element, Home& home, const std::string& level
         return;
     }
     const std::optional<Box> box = read_box(element);
-    if (!box) return report_unusable_piece(element, id, storey, home);
+    if (!box) return report_unusable_piece(element, id, index, home);
     if (kind == "doorOrWindow") return add_opening(element, *box, id, index, home);
     if (add_stair(element, *box, id, index, home)) return;
     add_furniture(element, *box, id, storey);

@@ -272,6 +272,9 @@ private:
 
 void bind_openings(Storey& storey, std::vector<PlacedOpening> placed, Home& home) {
     if (placed.empty()) return;
+    // A gap closed for one door is a wall for the next: the order of the file must not decide.
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const PlacedOpening& a, const PlacedOpening& b) { return a.opening.id < b.opening.id; });
     Binder binder(storey, placed, home);
     for (PlacedOpening& door : placed) binder.bind(std::move(door));
 }

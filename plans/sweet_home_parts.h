@@ -48,6 +48,7 @@ struct Home {
     std::unordered_map<std::string, std::size_t> storey_of;  ///< by the level's id in the file
     std::vector<std::vector<PlacedOpening>> openings;        ///< [storeys]
     std::vector<std::size_t> hidden;                         ///< [storeys] pieces that are not shown
+    std::vector<std::vector<ElementRef>> without_size;       ///< [storeys] furniture without usable place or size
 
     /// Index of the storey of an element; said with a warning where its level is not in the file.
     [[nodiscard]] std::size_t storey_for(const HomeElement& element, const std::string& level);

@@ -135,6 +135,7 @@ void read_levels(const HomeElement& element, Home& home) {
     }
     home.openings.resize(home.plan.storeys.size());
     home.hidden.resize(home.plan.storeys.size());
+    home.without_size.resize(home.plan.storeys.size());
 }
 
 void read_wall(const HomeElement& element, Home& home) {
@@ -155,6 +156,15 @@ void read_wall(const HomeElement& element, Home& home) {
     // Positive arcs turn clockwise there, seen from above; counter-clockwise here.
     const double full_turn = std::nextafter(2 * std::numbers::pi, 0.0);
     wall.arc_extent = 0 - element.number("arcExtent", {-full_turn, full_turn}, 0);
+    if (const double half = std::abs(wall.arc_extent) / 2;
+        half > std::numbers::pi / 2 &&
+        std::hypot(end->x - start->x, end->y - start->y) / (2 * std::sin(half)) > limits::thickness) {
+        home.report(finding_at(storey, "P166", Severity::Warning,
+                               "The wall \"" + wall.id + "\" is an arc of more than " +
+                                   rounded_text(limits::thickness, 0) + " m radius; it is made straight.",
+                               "Set its arc extent in Sweet Home 3D.", {"wall", wall.id, ""}, start));
+        wall.arc_extent = 0;
+    }
     wall.thickness = element.metres("thickness", positive_thickness, default_thickness);
     wall.height_at_start = element.metres("height", any_height, home.wall_height);
     wall.height_at_end = element.metres("heightAtEnd", any_height, wall.height_at_start);
