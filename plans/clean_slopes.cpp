@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <unordered_map>
 
 #include "plans/clean_steps.h"
@@ -17,6 +18,7 @@ bool sloped(const Wall& wall) { return std::abs(wall.height_at_end - wall.height
 struct Span {
     double from = 0;
     double to = 0;
+    friend auto operator<=>(const Span&, const Span&) = default;
 };
 
 bool inside_any(const std::vector<Span>& spans, double at) {
@@ -117,6 +119,7 @@ bool cut_slopes(Storey& storey, double step, std::unordered_set<std::string>& id
                 const Opening& opening = storey.openings[o];
                 spans.push_back({opening.offset - opening.width / 2, opening.offset + opening.width / 2});
             }
+        std::sort(spans.begin(), spans.end());
         const std::vector<double> at = cuts(length, std::abs(wall.height_at_end - wall.height_at_start), step, spans);
         const std::vector<Wall> pieces = pieces_of(wall, at, ids);
         if (hosted != openings_of.end())

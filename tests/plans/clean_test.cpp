@@ -49,7 +49,7 @@ Plan any_dirty_plan() {
                     break;
                 case 4:
                     more.push_back(other);
-                    more.back().id += "twin";
+                    more.back().id += "twin" + std::to_string(w);
                     more.back().thickness *= *rc::gen::element(1.0, 0.5);
                     if (*rc::gen::inRange(0, 2) == 0) {
                         std::swap(more.back().start, more.back().end);
