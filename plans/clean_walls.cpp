@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "plans/clean_steps.h"
+#include "plans/limits.h"
 #include "plans/vector2.h"
 
 namespace enfilade::plans {
@@ -36,6 +37,9 @@ bool unusable(const Wall& wall, const Storey& storey, CleanReport& report) {
     if (std::abs(wall.arc_extent) >= 2 * std::numbers::pi)
         return leave_out("P210", Severity::Error, middle, "turns by a whole circle or more",
                          "Draw a round wall as two arcs.");
+    if (axis_of(wall).radius() > limits::coordinate)
+        return leave_out("P210", Severity::Error, middle, "is an arc of more than 10000 km radius",
+                         "Draw it straight, or as an arc that turns less than a whole circle.");
     if (wall.thickness < 0 || wall.height_at_start < 0 || wall.height_at_end < 0)
         return leave_out("P210", Severity::Error, middle, "has a negative thickness or height",
                          "Give it positive sizes.");

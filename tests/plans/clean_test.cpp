@@ -108,6 +108,19 @@ RC_GTEST_PROP(Clean, ChangesNothingTheSecondTime, ()) {
     RC_ASSERT(write_json(twice) == write_json(once));
 }
 
+RC_GTEST_PROP(Clean, ChangesNothingInAPlanThatItCleanedBeforeItWasWritten, ()) {
+    const std::string text = write_json(clean(any_dirty_plan()));
+    RC_ASSERT(write_json(clean(read_json(text, "plan.json"))) == text);
+}
+
+RC_GTEST_PROP(Clean, LeavesPlansThatCanBeLaidOut, ()) {
+    const Plan plan = clean(any_dirty_plan());
+    if (plan.storeys.empty()) return;
+    const Layout layout = arrange(plan);
+    // What is smaller than the grid is gone before: no wall vanishes later.
+    for (const Finding& finding : layout.findings) RC_ASSERT(finding.code != "P302");
+}
+
 RC_GTEST_PROP(Clean, DoesNotDependOnTheOrderOfElements, ()) {
     const Plan plan = any_dirty_plan();
     Plan shuffled = plan;
@@ -279,6 +292,14 @@ TEST(CleanWalls, WithoutUsableNumbersAreErrors) {
     EXPECT_EQ(codes_of(cleaned), "P210 P210 P210");
     ASSERT_EQ(cleaned.storeys[0].walls.size(), 1u);
     for (const Finding& finding : cleaned.findings) EXPECT_EQ(finding.severity, Severity::Error);
+}
+
+TEST(CleanWalls, AlmostRoundArcsOfEndlessRadiusAreErrors) {
+    Plan plan = one_room();
+    plan.storeys[0].walls[1].arc_extent = std::nextafter(2 * 3.14159265358979323846, 0.0);
+    const Plan cleaned = clean(plan);
+    EXPECT_EQ(findings_of(cleaned, "P210").size(), 1u);
+    EXPECT_EQ(wall_of(cleaned, "e"), nullptr);
 }
 
 TEST(CleanWalls, ShorterThanACentimetreAreDroppedAndTheirNeighboursMeet) {
