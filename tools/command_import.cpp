@@ -12,9 +12,11 @@ namespace enfilade::tools {
 
 int run_import(const ImportOptions& options, const Console& console) {
     plans::Plan plan;
+    nlohmann::ordered_json as_read;
     {
         Progress progress(console, {"Reading the plan", "Repairing", "Writing"});
         plan = plans::read(options.plan);
+        as_read = plan_counts_json(plan);
         progress.next();
         plan = plans::clean(std::move(plan));
         progress.next();
@@ -24,6 +26,7 @@ int run_import(const ImportOptions& options, const Console& console) {
     if (console.json()) {
         nlohmann::ordered_json result = {{"command", "import"}, {"input", options.plan.string()}};
         result["output"] = options.output.string();
+        result["as_read"] = std::move(as_read);
         result["plan"] = plan_counts_json(plan);
         result["findings"] = findings_json(plan.findings);
         console.print(result.dump(2) + '\n');

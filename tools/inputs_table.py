@@ -22,7 +22,7 @@ def row_of(enfilade, file, name, scratch):
     code, out, error = run(enfilade, "import", file, "-o", imported, "--json")
     if code > 1:
         return [name] + [""] * 8 + [f"refused: {error.removeprefix('enfilade: ').replace(str(file), name)}"]
-    plan = json.loads(out)["plan"]
+    plan = json.loads(out)["as_read"]
     scene = scratch / "scene.enf"
     code, out, error = run(enfilade, "build", file, "-o", scene, "--keep-going", "--json")
     if code > 1:
