@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "plans/generate.h"
 #include "plans/layout.h"
 #include "tests/plans/clean_support.h"
 
@@ -155,6 +157,18 @@ TEST(CleanJoins, AGapBeforeTheStartIsClosedToo) {
     ASSERT_EQ(codes_of(cleaned), "P219");
     EXPECT_EQ(wall_of(cleaned, "s2")->start, (Point{1, 0}));
     EXPECT_DOUBLE_EQ(opening_of(cleaned, "door")->offset, 0.5);
+}
+
+TEST(CleanJoins, AnOfficeOfThinWallsDrawnByHandGetsAllItsRoomsBack) {
+    Plan plan = generate({.rooms = 200, .curved = 0.2, .oblique = 0.2});
+    std::mt19937 random(1);
+    const auto shaken = [&](double x) { return x + (double(random() % 3001) - 1500) / 100000; };
+    for (Wall& w : plan.storeys[0].walls) {
+        w.thickness = 0.01;
+        for (Point* p : {&w.start, &w.end}) *p = {shaken(p->x), shaken(p->y)};
+    }
+    ASSERT_LT(closed_rooms(plan), 180u);
+    EXPECT_EQ(closed_rooms(clean(plan)), 200u);
 }
 
 TEST(CleanJoins, FarFromTheOriginTheRepairsAreTheSame) {
