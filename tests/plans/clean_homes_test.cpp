@@ -16,9 +16,9 @@ struct Home {
     std::size_t open;   ///< named rooms that have no place of their own: balconies, and what nobody walled in
 };
 
-class RealHomes : public ::testing::TestWithParam<Home> {};
+class CleanedHomes : public ::testing::TestWithParam<Home> {};
 
-TEST_P(RealHomes, GetTheirRooms) {
+TEST_P(CleanedHomes, GetTheirRooms) {
     const auto file = std::filesystem::path(ENFILADE_SOURCE_DIR) / "../shared/data/sh3d" / GetParam().file;
     if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not on this machine";
     const Plan plan = clean(read(file));
@@ -32,7 +32,7 @@ TEST_P(RealHomes, GetTheirRooms) {
     EXPECT_EQ(open, GetParam().open);
 }
 
-INSTANTIATE_TEST_SUITE_P(Clean, RealHomes,
+INSTANTIATE_TEST_SUITE_P(Clean, CleanedHomes,
                          ::testing::Values(Home{"PaddyHuang_Home.sh3d", 13, 0},  // every door in a gap between walls
                                            Home{"andijcr_ristrutturazione_default.sh3d", 13, 0},
                                            Home{"jonwilliams84_Home-Clean-Base-RAL.sh3d", 21, 0},
