@@ -31,12 +31,12 @@ void report_left_out(Home& home) {
                                    pieces(home.hidden[k]) + " set invisible and left out" + level + ".",
                                    "Set them visible in Sweet Home 3D to have them.", ref, {}));
         if (std::vector<ElementRef>& lost = home.without_size[k]; !lost.empty()) {
-            Finding finding = finding_at(storey, "P179", Severity::Warning,
-                                         pieces(lost.size()) + " left out" + level +
-                                             ": the file does not give place and sizes as numbers above 0 (\"" +
-                                             (lost.front().name.empty() ? lost.front().id : lost.front().name) + "\"" +
-                                             (lost.size() > 1 ? " and others)." : ")."),
-                                         "Open the home in Sweet Home 3D, place them again and save it.", ref, {});
+            Finding finding =
+                finding_at(storey, "P179", Severity::Warning,
+                           pieces(lost.size()) + " left out" + level + ": the file gives no usable place and size (\"" +
+                               (lost.front().name.empty() ? lost.front().id : lost.front().name) + "\"" +
+                               (lost.size() > 1 ? " and others)." : ")."),
+                           "Open the home in Sweet Home 3D, place them again and save it.", ref, {});
             finding.elements = std::move(lost);
             home.report(std::move(finding));
         }

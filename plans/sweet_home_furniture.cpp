@@ -15,7 +15,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr NumberRange extent{0, limits::thickness, true};
-constexpr NumberRange height_range{-limits::height, limits::height};
+constexpr NumberRange height_range{-limits::height / 2, limits::height / 2};  // what stands on it is a height too
+constexpr NumberRange source_share{-4, 4};  // of a lamp's box: a source may hang outside of it
+constexpr double farthest = limits::coordinate - 10 * limits::thickness;  // a box there lies inside the limits
 constexpr NumberRange share{0, 1};
 constexpr NumberRange angle_range{-64 * pi, 64 * pi};
 constexpr double lumen_of_full_power = 1600;  // the middle setting, 0.5, is a bulb of 800 lm
@@ -55,6 +57,7 @@ std::optional<Box> read_box(const HomeElement& element) {
     const auto depth = size("depth", "depthInPlan");
     const auto height = size("height", "heightInPlan");
     if (!middle || !width || !depth || !height) return {};
+    if (std::abs(middle->x) > farthest || std::abs(middle->y) > farthest) return {};
     box.middle = *middle;
     box.width = *width;
     box.depth = *depth;
@@ -95,8 +98,8 @@ void add_lights(const HomeElement& element, const Box& box, const std::string& l
         Light light;
         light.id = home.ids.take(lamp + "/source-" + std::to_string(++count), "light");
         light.name = element.text("name");
-        light.position = box.at(source.number("x", {-10, 10}, 0.5), source.number("y", {-10, 10}, 0.5));
-        light.elevation = box.elevation + source.number("z", {-10, 10}, 0.5) * box.height;
+        light.position = box.at(source.number("x", source_share, 0.5), source.number("y", source_share, 0.5));
+        light.elevation = box.elevation + source.number("z", source_share, 0.5) * box.height;
         light.power_lumen = power * lumen_of_full_power;
         if (const auto colour = source.colour("color")) light.colour = *colour;
         storey.lights.push_back(std::move(light));
@@ -278,11 +281,10 @@ void report_unusable_piece(const HomeElement& element, const std::string& id, st
         home.without_size[index].push_back({"furniture", id, element.text("name")});
         return;
     }
-    home.report(finding_at(
-        home.plan.storeys[index], "P170", Severity::Error,
-        "The " + element.label() + " is left out: the file does not give its place and its sizes as numbers above 0.",
-        "Delete it in Sweet Home 3D and place it again.", {"opening", id, element.text("name")},
-        point_of(element, "x", "y")));
+    home.report(finding_at(home.plan.storeys[index], "P170", Severity::Error,
+                           "The " + element.label() + " is left out: the file gives it no usable place and size.",
+                           "Delete it in Sweet Home 3D and place it again.", {"opening", id, element.text("name")},
+                           point_of(element, "x", "y")));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plans/limits.h"
 #include "plans/number_text.h"
 #include "plans/sweet_home_bodies.h"
 #include "plans/sweet_home_gaps.h"
@@ -148,7 +149,7 @@ private:
         const WallBody& host = bodies_[candidate.wall];
         Opening& opening = door.opening;
         opening.wall = storey_.walls[candidate.wall].id;
-        opening.offset = host.offset_of(door.wall_middle);
+        opening.offset = std::clamp(host.offset_of(door.wall_middle), -limits::coordinate, limits::coordinate);
         go_through(door, candidate.wall);
         storey_.openings.push_back(std::move(opening));
     }

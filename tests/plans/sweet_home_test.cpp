@@ -49,6 +49,10 @@ std::string room_xml(const std::vector<Point>& corners, const std::string& more 
     return xml + "</room>";
 }
 
+const char* const two_levels =
+    "<level id='a' elevation='0' height='250' floorThickness='12'/>"
+    "<level id='b' elevation='262' height='250' floorThickness='12'/>";
+
 TEST(SweetHome, KeepsAnLShapedPlanUnmirrored) {
     // On the screen, where y points down, the L lacks its upper right quarter: the north-east one.
     const Plan plan = read_home(room_xml({{0, 0}, {300, 0}, {300, 300}, {600, 300}, {600, 600}, {0, 600}}));
@@ -181,6 +185,22 @@ TEST(SweetHome, TakesDefaultsForUnusableSizesAndSaysSo) {
     EXPECT_EQ(findings_of(plan, "P160").size(), 3u);
 }
 
+TEST(SweetHome, KeepsWithinWhatOurOwnFormatHolds) {
+    const Plan plan = read_home(
+        two_levels +
+        std::string("<light id='l' x='999999999' y='0' elevation='499999' width='99999' depth='9' height='99999'>"
+                    "<lightSource x='4' y='-4' z='4'/></light>"
+                    "<pieceOfFurniture id='s' level='a' x='998999999' y='-998999999' width='99999' depth='99999' "
+                    "height='99999' angle='0.8' staircaseCutOutShape='M0,0 v1 h1 v-1 z'/>") +
+        wall_xml("w", -999999999, 999999999, 999999999, -999999999, "thickness='99999' height='999999'") +
+        "<doorOrWindow id='d' x='990000000' y='-990000000' elevation='499999' width='99999' depth='99999' "
+        "height='99999' angle='-0.7853981634'/>");
+    const std::string json = write_json(plan);
+    EXPECT_EQ(write_json(read_json(json, "plan.json")), json);
+    EXPECT_EQ(plan.storeys.at(0).stairs.size(), 1u);
+    EXPECT_EQ(plan.storeys.at(0).openings.size(), 1u);
+}
+
 TEST(SweetHome, RefusesRoomsWithoutExtent) {
     const Plan plan = read_home(room_xml({{0, 0}, {1, 1}}, "name='Thin'"));
     EXPECT_TRUE(plan.storeys.at(0).rooms.empty());
@@ -244,10 +264,6 @@ TEST(SweetHome, PlacesLightSourcesInTheirLamp) {
     EXPECT_DOUBLE_EQ(light.power_lumen, 400);
     EXPECT_EQ(plan.storeys[0].furniture.size(), 1u);
 }
-
-const char* const two_levels =
-    "<level id='a' elevation='0' height='250' floorThickness='12'/>"
-    "<level id='b' elevation='262' height='250' floorThickness='12'/>";
 
 std::string stair_xml(const std::string& level, const std::string& shape, const std::string& more = "") {
     return "<pieceOfFurniture id='s' level='" + level + "' x='200' y='100' width='200' depth='100' height='262' " +
