@@ -12,7 +12,7 @@ from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
-CURVES = [("distance, median", "median error of the distance"), ("distance, 99 of 100", "99 of 100 below")]
+CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
 
 def curves(rows):
@@ -28,19 +28,19 @@ def curves(rows):
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         options = curves(json.load(file)["rows"])
-    figure, axes = pyplot.subplots(2, len(options), figsize=(4.6 * len(options), 6), layout="constrained", squeeze=False)
-    for (upper, lower), (option, named) in zip(axes.T, options.items()):
+    figure, axes = pyplot.subplots(3, len(options), figsize=(4.6 * len(options), 8), layout="constrained", squeeze=False)
+    for (error, time, memory), (option, named) in zip(axes.T, options.items()):
         for name, legend in CURVES:
-            points = [(x, y) for x, y in named[name] if y > 0]
+            points = [(x, y) for x, y in named[name] if y > 1e-6]
             if points:
-                upper.loglog(*zip(*points), "o-", label=legend)
-        upper.set(title=TITLES[option], ylabel="mm")
-        upper.legend()
-        lower.semilogx(*zip(*named["time"]), "o-", label="time (s)")
-        lower.semilogx(*zip(*named["memory"]), "s-", label="scene (MB)")
-        lower.set(xlabel=TITLES[option], ylim=(0, None))
-        lower.legend()
-        for panel in (upper, lower):
+                error.loglog(*zip(*points), "o-", label=legend)
+        error.set(title=TITLES[option], ylabel="error of the distance (mm)")
+        error.legend()
+        time.semilogx([x for x, _ in named["time"]], [y * 1000 for _, y in named["time"]], "o-")
+        time.set(ylabel="plan to scene (ms)", ylim=(0, None))
+        memory.semilogx(*zip(*named["memory"]), "o-")
+        memory.set(xlabel=TITLES[option], ylabel="scene (MB)", ylim=(0, None))
+        for panel in (error, time, memory):
             panel.grid(True, which="both", alpha=0.3)
     figure.savefig(sys.argv[2], metadata={"Date": None})
 

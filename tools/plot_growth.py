@@ -27,8 +27,8 @@ def main():
     left.loglog([n for n, _ in seconds], [start * n * math.log(n) / (first * math.log(first)) for n, _ in seconds], "--", label="n log n")
     left.set(xlabel="rooms", ylabel="seconds, one core", title="Plan to scene")
     left.legend()
-    right.loglog(*zip(*memory), "o-")
-    right.set(xlabel="rooms", ylabel="GB", title="Peak memory of the program")
+    right.semilogx(*zip(*memory), "o-")
+    right.set(xlabel="rooms", ylabel="GB", ylim=(0, None), title="Peak memory of the program")
     for axes in (left, right):
         axes.grid(True, which="both", alpha=0.3)
     figure.savefig(sys.argv[2], metadata={"Date": None})
