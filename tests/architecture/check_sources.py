@@ -31,8 +31,11 @@ LONGEST = 500
 
 def sources(root):
     """The C++ and CUDA files of the tree: those that git knows, or all where there is no git."""
-    listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True)
-    names = listed.stdout.splitlines() if listed.returncode == 0 else [str(p.relative_to(root)) for p in root.rglob("*") if p.is_file()]
+    try:
+        listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True, check=True)
+        names = listed.stdout.splitlines()
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        names = [str(p.relative_to(root)) for p in root.rglob("*") if p.is_file()]
     suffixes = {".h", ".cpp", ".cu", ".cuh", ".inl"}
     return sorted(n for n in names if pathlib.PurePath(n).suffix in suffixes and (root / n).is_file())
 
