@@ -19,13 +19,16 @@ namespace enfilade::plans {
 /// A Sweet Home 3D home: zip with Home.xml (lengths in centimetres, y down).
 [[nodiscard]] Plan read_sweet_home(std::span<const std::byte> bytes, const std::string& file_name);
 
-/// Repairs what can be repaired and says so in `findings`: wall ends that nearly meet, openings beside their wall,
-/// storeys out of order or overlapping, elements without extent. Idempotent. Sizes in metres.
+/// Sizes in metres.
 struct CleanOptions {
-    double join_gap = 0.05;      ///< wall ends this close to another wall are extended or trimmed to meet it
-    double opening_reach = 0.60; ///< an unbound opening looks this far for its wall
-    double step = 0.25;          ///< sloped wall tops are cut into steps of at most this height
+    double join_gap = 0.05;  ///< wall ends this close to another wall's end or face are brought to it; 0: none
+    double step = 0.25;      ///< sloped wall tops are cut into steps of at most this height, greater than 0
 };
+
+/// Repairs what can be repaired and says so in `findings` (docs/findings.md, P2..): storeys out of order or too close,
+/// wall ends that nearly meet, walls drawn twice, sloped tops, openings beyond their wall, elements without extent.
+/// What cannot be used is left out with an error. Idempotent; the order of elements does not matter.
+/// \pre ids are unique within the plan
 [[nodiscard]] Plan clean(Plan plan, const CleanOptions& options = {});
 
 }  // namespace enfilade::plans
