@@ -34,8 +34,10 @@ std::string place_text(const Finding& finding) {
         text += element_text(finding.elements[i]);
     }
     if (finding.moved_mm > 0) {
+        const bool far = finding.moved_mm >= 1000;
         char moved[48];
-        std::snprintf(moved, sizeof moved, "%smoved %.3g mm", text.empty() ? "" : ", ", finding.moved_mm);
+        std::snprintf(moved, sizeof moved, "%smoved %.3g %s", text.empty() ? "" : ", ",
+                      far ? finding.moved_mm / 1000 : finding.moved_mm, far ? "m" : "mm");
         text += moved;
     }
     return text;
