@@ -21,7 +21,8 @@ using accel::Label;
 using render::Vec3d;
 
 constexpr double eye_height = 1.6;
-constexpr double cut_height = 2.0;  ///< of a dollhouse, above the floor: doors are open at it
+constexpr double cut_height = 2.0;   ///< of a dollhouse, above the floor: doors are open at it
+constexpr double shown_below = 3;    ///< metres under the floor of a dollhouse
 constexpr double wall_margin = 0.5;  ///< around the rooms of a storey, for the walls that are no cells
 constexpr const char* help =
     "from where: exterior (from the garden), aerial (from above), dollhouse or dollhouse:STOREY (one storey, cut open; "
@@ -119,7 +120,10 @@ View dollhouse(const accel::SceneView& scene, std::uint32_t storey, int width, i
     View view;
     view.cut_z = box.low.z + std::min(cut_height, 0.8 * (box.high.z - box.low.z));
     box.high.z = *view.cut_z;
-    box.low = box.low - Vec3d{wall_margin, wall_margin, 0};
+    // An upper storey stands on what is below it: some of that is shown, too.
+    const Box outdoors = box_of(scene, [](const accel::Cell& cell) { return cell.label == Label::Exterior; });
+    const double below = outdoors.empty() ? 0 : std::clamp(box.low.z - outdoors.low.z, 0.0, shown_below);
+    box.low = box.low - Vec3d{wall_margin, wall_margin, below};
     box.high = box.high + Vec3d{wall_margin, wall_margin, 0};
     view.camera = fitted(box, {0.28, -0.62, 0.9}, 36, width, height);
     return view;
