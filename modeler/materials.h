@@ -24,6 +24,7 @@ public:
 private:
     [[nodiscard]] std::optional<plans::Colour> colour(Surface surface, std::uint32_t viewer_space,
                                                       std::uint32_t behind_space, std::uint32_t line) const;
+    [[nodiscard]] std::optional<plans::Colour> wall_colour(std::uint32_t behind_space, std::uint32_t line) const;
 
     const Building& building_;
     std::map<std::pair<Surface, plans::Colour>, std::uint32_t> known_;
