@@ -42,46 +42,6 @@ std::optional<plans::Colour> Materials::colour(Surface surface, std::uint32_t vi
     switch (surface) {
         case Surface::WallPaper:
         case Surface::Facade: return wall_colour(behind_space, line);
-        case Surface::Floor: return {0.52f, 0.38f, 0.25f};
-        case Surface::Ceiling: return {0.90f, 0.89f, 0.87f};
-        case Surface::Facade: return {0.78f, 0.73f, 0.65f};
-        case Surface::Jamb:
-        case Surface::Lintel: return {0.88f, 0.87f, 0.84f};
-        case Surface::Sill: return {0.70f, 0.68f, 0.64f};
-        case Surface::Leaf: return {0.42f, 0.27f, 0.16f};
-        case Surface::Pane: return {0.55f, 0.66f, 0.72f};
-        case Surface::Terrain: return {0.27f, 0.36f, 0.18f};
-        case Surface::Roof: return {0.36f, 0.33f, 0.31f};
-        case Surface::Sky: return {0.50f, 0.68f, 0.92f};
-    }
-    return {0.8f, 0.8f, 0.8f};
-}
-
-std::string material_name(Surface surface, const plans::Colour& colour) {
-    char text[48];
-    const auto byte = [](float c) {
-        return int(std::lround(255 * std::pow(std::fmin(std::fmax(c, 0.f), 1.f), 1 / 2.2f)));
-    };
-    std::snprintf(text, sizeof text, "%s #%02x%02x%02x", accel::name_of(surface), byte(colour[0]), byte(colour[1]),
-                  byte(colour[2]));
-    return text;
-}
-
-}  // namespace
-
-std::optional<plans::Colour> Materials::colour(Surface surface, std::uint32_t viewer_space, std::uint32_t behind_space,
-                                               std::uint32_t line) const {
-    switch (surface) {
-        case Surface::WallPaper:
-        case Surface::Facade:
-            if (const auto at =
-                    std::lower_bound(colours.begin(), colours.end(), std::pair(line, behind_space),
-                                     [](const WallColour& wall, const std::pair<std::uint32_t, std::uint32_t>& key) {
-                                         return std::pair(wall.line, wall.wall_space) < key;
-                                     });
-                at != colours.end() && at->line == line && at->wall_space == behind_space)
-                return at->colour;
-            return std::nullopt;
         case Surface::Floor: return building_.spaces[viewer_space].colour;
         case Surface::Ceiling: return building_.spaces[viewer_space].ceiling_colour;
         default: return std::nullopt;
