@@ -35,7 +35,7 @@ inline std::vector<Point> box(double x0, double y0, double x1, double y1) {
 }
 
 inline void add_box(Storey& storey, const std::string& prefix, double x0, double y0, double x1, double y1,
-             double thickness = 0.25) {
+                    double thickness = 0.25) {
     const std::vector<Point> p = box(x0, y0, x1, y1);
     for (std::size_t i = 0; i < 4; ++i)
         storey.walls.push_back(wall(prefix + std::to_string(i), p[i], p[(i + 1) % 4], thickness));
