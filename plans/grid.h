@@ -33,7 +33,8 @@ struct GridFrame {
 
 /// Twice the signed area of (a, b, c): positive when c lies left of a -> b. Exact for |coordinates| <= 2^30.
 [[nodiscard]] constexpr std::int64_t orientation(GridPoint a, GridPoint b, GridPoint c) {
-    return (std::int64_t(b.x) - a.x) * (std::int64_t(c.y) - a.y) - (std::int64_t(b.y) - a.y) * (std::int64_t(c.x) - a.x);
+    return (std::int64_t(b.x) - a.x) * (std::int64_t(c.y) - a.y) -
+           (std::int64_t(b.y) - a.y) * (std::int64_t(c.x) - a.x);
 }
 
 }  // namespace enfilade::plans

@@ -41,9 +41,9 @@ struct NodedGraph {
 /// chain of edges that stays within one half unit of it (per axis); chains never cross, they may share edges.
 /// One pass: noding the result again stays free of crossings, but may route edges through vertices that they pass by
 /// less than half a unit.
-/// Segments that round to nothing leave no edge. Deterministic; independent of the order of the segments but for `EdgeUse::segment`.
-/// \pre |coordinates| <= 2^25
-/// Cost: about n log n for segments as plans have them (segment_tree.h finds the pairs).
+/// Segments that round to nothing leave no edge. Deterministic; independent of the order of the segments but for
+/// `EdgeUse::segment`. \pre |coordinates| <= 2^25 Cost: about n log n for segments as plans have them (segment_tree.h
+/// finds the pairs).
 [[nodiscard]] NodedGraph node(std::span<const Segment> segments);
 
 }  // namespace enfilade::plans

@@ -30,7 +30,7 @@ struct Wall {
     double thickness = 0.1;
     double height_at_start = 2.5;  ///< above the storey's floor
     double height_at_end = 2.5;
-    std::optional<Colour> left_colour;   ///< left of start -> end
+    std::optional<Colour> left_colour;  ///< left of start -> end
     std::optional<Colour> right_colour;
 };
 
@@ -41,11 +41,11 @@ struct Opening {
     std::string id;
     std::string name;
     OpeningKind kind = OpeningKind::Door;
-    std::string wall;         ///< id of the host wall, of the same storey
-    double offset = 0;        ///< along the wall's axis, from its start to the middle of the opening
-    double width = 0.9;       ///< along the axis
-    double sill = 0;          ///< above the storey's floor
-    double head = 2.1;        ///< above the storey's floor
+    std::string wall;                        ///< id of the host wall, of the same storey
+    double offset = 0;                       ///< along the wall's axis, from its start to the middle of the opening
+    double width = 0.9;                      ///< along the axis
+    double sill = 0;                         ///< above the storey's floor
+    double head = 2.1;                       ///< above the storey's floor
     double open_angle = 1.5707963267948966;  ///< doors: 0 is closed
     /// Where other walls lie against the host, the hole goes on by these lengths beyond its left and right face.
     double depth_left = 0;
@@ -111,8 +111,8 @@ struct Furniture {
 struct Storey {
     std::string id;
     std::string name;
-    double elevation = 0;  ///< of its floor
-    double height = 2.5;   ///< floor to ceiling
+    double elevation = 0;         ///< of its floor
+    double height = 2.5;          ///< floor to ceiling
     double slab_thickness = 0.2;  ///< of the slab under its floor
     std::vector<Wall> walls;
     std::vector<Opening> openings;

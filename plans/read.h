@@ -9,7 +9,8 @@
 
 namespace enfilade::plans {
 
-/// Reads a plan in any known format (native JSON, Sweet Home 3D). Throws InputError with the place, IoError where the file cannot be read.
+/// Reads a plan in any known format (native JSON, Sweet Home 3D). Throws InputError with the place, IoError where the
+/// file cannot be read.
 [[nodiscard]] Plan read(const std::filesystem::path& file);
 
 /// Our own JSON: schema in docs/plan.schema.json, comments allowed, unknown keys refused.
