@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -26,8 +28,8 @@ void shift(accel::InputTarget& target, std::uint32_t portals, std::uint32_t face
     target.index += target.is_portal ? portals : faces;
 }
 
-/// Puts a copy of `part` beside what `whole` holds, `offset` grid units further along y.
-void append(accel::SceneInput& whole, const accel::SceneInput& part, std::int32_t offset) {
+/// Puts a copy of `part`, moved by `offset` grid units, beside what `whole` holds.
+void append(accel::SceneInput& whole, const accel::SceneInput& part, const std::array<std::int32_t, 2>& offset) {
     const auto cells = std::uint32_t(whole.cells.size());
     const auto sections = std::uint32_t(whole.sections.size());
     const auto sides = std::uint32_t(whole.side_faces.size());
@@ -45,7 +47,8 @@ void append(accel::SceneInput& whole, const accel::SceneInput& part, std::int32_
         whole.cells.push_back(cell);
     }
     for (accel::InputSection section : part.sections) {
-        section.y += offset;
+        section.x += offset[0];
+        section.y += offset[1];
         section.first_face += sides;
         whole.sections.push_back(section);
     }
@@ -63,7 +66,7 @@ void append(accel::SceneInput& whole, const accel::SceneInput& part, std::int32_
         face.first_vertex += vertices;
         whole.source_faces.push_back(face);
     }
-    for (const auto& [x, y, z] : part.vertices) whole.vertices.push_back({x, y + offset, z});
+    for (const auto& [x, y, z] : part.vertices) whole.vertices.push_back({x + offset[0], y + offset[1], z});
     whole.spaces.insert(whole.spaces.end(), part.spaces.begin(), part.spaces.end());
 }
 
@@ -73,15 +76,17 @@ accel::Scene large_scene(std::size_t bytes) {
     const accel::SceneInput part = modeler::scene_input(building);
     const std::size_t part_bytes = accel::assemble(part).bytes().size();
     const std::size_t copies = bytes / part_bytes + 1;
-    // Sites lie from site_min to site_max: the next one begins where the last one ends, all around the frame's middle.
-    const std::int64_t step = std::int64_t(building.site_max[1]) - building.site_min[1] + 1;
+    // Sites lie from site_min to site_max: the next one begins where the last one ends, in a square around the origin.
+    const auto columns = std::int32_t(std::ceil(std::sqrt(double(copies))));
+    const std::int32_t step_x = building.site_max[0] - building.site_min[0] + 1;
+    const std::int32_t step_y = building.site_max[1] - building.site_min[1] + 1;
     accel::SceneInput whole;
     whole.unit = part.unit;
     whole.origin = part.origin;
     whole.materials = part.materials;
     whole.certificate = part.certificate;
-    for (std::size_t copy = 0; copy < copies; ++copy)
-        append(whole, part, std::int32_t(step * (std::int64_t(copy) - std::int64_t(copies) / 2)));
+    for (std::int32_t copy = 0; copy < std::int32_t(copies); ++copy)
+        append(whole, part, {step_x * (copy % columns - columns / 2), step_y * (copy / columns - columns / 2)});
     return accel::assemble(whole);
 }
 
