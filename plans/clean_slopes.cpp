@@ -93,7 +93,9 @@ Finding cut_finding(const Wall& wall, const std::vector<double>& at, const Store
                        metres_text(wall.height_at_end) + ": it is built as " + std::to_string(count) +
                        (count > 1 ? " level steps" : " level piece") + ", " + rounded_text(moved, 4) +
                        " m3 of it moved.";
-    finding.hint = "Draw it as several walls of level height to place the steps yourself.";
+    finding.hint =
+        "Finer steps follow the slope more closely (--step-mm); several walls of level height place them where you "
+        "want.";
     finding.moved_mm = largest / 2 * 1000;
     return finding;
 }

@@ -34,6 +34,7 @@ struct ModelOptions {
     std::vector<std::uint32_t> storeys;
     std::optional<double> snap_mm;
     std::optional<double> sagitta_mm;
+    std::optional<double> step_mm;
     bool opaque_glass = false;
 };
 

@@ -76,6 +76,8 @@ void add_model_flags(CLI::App* command, ModelOptions& model) {
     add_value(command, "--sagitta-mm", model.sagitta_mm, "MM",
               "largest distance of a curved wall from its straight pieces (2)")
         ->check(CLI::PositiveNumber);
+    add_value(command, "--step-mm", model.step_mm, "MM", "height of the steps that sloped wall tops are cut into (250)")
+        ->check(CLI::PositiveNumber);
     command
         ->add_option_function<std::string>(
             "--glass", [&model](const std::string& kind) { model.opaque_glass = kind == "opaque"; },

@@ -19,7 +19,9 @@ std::string storey_list(const plans::Plan& plan) {
 }
 
 std::string options_text(const ModelOptions& options, const modeler::BuildOptions& build) {
-    nlohmann::ordered_json json = {{"snap_mm", build.arrange.snap_mm}, {"sagitta_mm", build.arrange.sagitta_mm}};
+    nlohmann::ordered_json json = {{"snap_mm", build.arrange.snap_mm},
+                                   {"sagitta_mm", build.arrange.sagitta_mm},
+                                   {"step_mm", 1000 * build.clean.step}};
     json["storeys"] = options.storeys;
     json["glass"] = options.opaque_glass ? "opaque" : "clear";
     return json.dump();
@@ -57,6 +59,7 @@ modeler::BuildOptions build_options(const ModelOptions& options, const plans::Pl
         build.arrange.snap_fixed = true;
     }
     if (options.sagitta_mm) build.arrange.sagitta_mm = *options.sagitta_mm;
+    if (options.step_mm) build.clean.step = *options.step_mm / 1000;
     build.arrange.storeys = options.storeys;
     build.opaque_glass = options.opaque_glass;
     return build;
