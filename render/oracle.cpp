@@ -136,6 +136,10 @@ double error_band(const accel::SceneView& scene) {
     return 16 * largest * 0x1p-24 + 2 * scene.unit;
 }
 
+namespace {
+constexpr double least_sine = 1e-5;  ///< of the angle between a ray and the face it grazes
+}  // namespace
+
 Agreement compare(const Oracle& oracle, std::span<const RayQuery> rays, std::span<const RayHit> hits, double band) {
     Agreement agreement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -149,7 +153,13 @@ Agreement compare(const Oracle& oracle, std::span<const RayQuery> rays, std::spa
                     std::max(agreement.largest_distance_error, std::abs(expected->distance - hits[i].distance));
             continue;
         }
-        const double reach = std::max(expected ? expected->distance : 0.0, is_hit ? hits[i].distance : 0.0) + band;
+        // Across a face by the band is along the ray by the band over the sine of the angle at which it grazes.
+        const Vec3d along = normalized(rays[i].direction);
+        const auto end_of = [&](double distance, accel::SourceFaceId face) {
+            return distance + band / std::max(std::abs(dot(oracle.normal(face), along)), least_sine);
+        };
+        const double reach = std::max(expected ? end_of(expected->distance, expected->source_face) : band,
+                                      is_hit ? end_of(hits[i].distance, hits[i].source_face) : band);
         const bool starts_on_it = (is_hit && oracle.plane_distance(rays[i].origin, hits[i].source_face) <= band) ||
                                   (expected && oracle.plane_distance(rays[i].origin, expected->source_face) <= band);
         if (starts_on_it || oracle.edge_distance(rays[i].origin, rays[i].direction, reach) <= band)

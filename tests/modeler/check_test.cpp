@@ -107,7 +107,7 @@ TEST(Check, G5SeesAHullThatIsNotTheSite) {
 
 TEST(Check, G8NamesACellThatIsNotConvex) {
     plans::Plan plan = testing::one_room();
-    plan.storeys[0].walls.push_back(testing::wall("stub", {2, 0}, {2, 1.5}, 0.125));
+    plan.storeys[0].walls.push_back(testing::wall("spur", {2, 0}, {2, 1.5}, 0.125));
     Building building = build(plan);
     building.convex = true;  // it claims to be, and is not
     const CheckReport report = check(building);

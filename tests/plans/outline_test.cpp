@@ -11,18 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "tests/plans/arrangement.h"
+
 namespace enfilade::plans {
 namespace {
 
-Wall wall(std::string id, Point a, Point b, double thickness = 0.2, double arc = 0) {
-    Wall result;
-    result.id = std::move(id);
-    result.start = a;
-    result.end = b;
-    result.thickness = thickness;
-    result.arc_extent = arc;
-    return result;
-}
+using testing::wall;
 
 StoreyOutlines outlines_of(std::vector<Wall> walls, std::vector<Opening> openings = {}) {
     Storey storey;
