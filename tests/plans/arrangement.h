@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/id.h"
 #include "plans/layout.h"
 #include "plans/plan.h"
 #include "plans/read.h"
