@@ -16,7 +16,9 @@
 namespace enfilade::plans {
 namespace {
 
-using testing::wall;
+Wall wall(std::string id, Point a, Point b, double thickness = 0.2, double arc = 0) {
+    return testing::wall(std::move(id), a, b, thickness, arc);
+}
 
 StoreyOutlines outlines_of(std::vector<Wall> walls, std::vector<Opening> openings = {}) {
     Storey storey;
