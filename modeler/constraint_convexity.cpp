@@ -13,66 +13,41 @@ namespace {
 
 using plans::GridPoint;
 
-/// Corners of a piece, with the line of the edge that leaves each.
-struct Ring {
-    std::vector<GridPoint> point;
-    std::vector<std::uint32_t> line;
-
-    [[nodiscard]] bool goes_straight_at(std::size_t k) const {
-        const std::size_t n = point.size(), before = (k + n - 1) % n;
-        return goes_straight(point[before], point[k % n], point[(k + 1) % n], line[before], line[k % n]);
-    }
-};
+using Ring = std::vector<RingCorner>;
 
 Ring ring_of(const Building& building, const Piece& piece) {
     Ring ring;
     for (std::uint32_t k = 0; k < piece.corner_count; ++k) {
         const Corner& corner = building.corners[piece.first_corner + k];
-        ring.point.push_back(building.points[corner.vertex]);
-        ring.line.push_back(corner.line);
+        ring.push_back({building.points[corner.vertex], corner.line});
     }
     return ring;
 }
 
 std::int64_t area2(const Ring& ring) {
     std::int64_t sum = 0;
-    for (std::size_t k = 0; k < ring.point.size(); ++k)
-        sum += orientation(ring.point[0], ring.point[k], ring.point[(k + 1) % ring.point.size()]);
+    for (std::size_t k = 0; k < ring.size(); ++k)
+        sum += orientation(ring[0].point, ring[k].point, ring[(k + 1) % ring.size()].point);
     return sum;
-}
-
-/// The corners at which a ring passes from one line to another.
-Ring without_straight_corners(const Ring& ring) {
-    Ring ends;
-    for (std::size_t k = 0; k < ring.point.size(); ++k) {
-        if (ring.goes_straight_at(k)) continue;
-        ends.point.push_back(ring.point[k]);
-        ends.line.push_back(ring.line[k]);
-    }
-    return ends;
-}
-
-/// Corner between different lines that turns right, if any.
-std::optional<GridPoint> reflex_corner(const Ring& ends) {
-    const std::size_t n = ends.point.size();
-    for (std::size_t k = 0; k < n; ++k)
-        if (orientation(ends.point[(k + n - 1) % n], ends.point[k], ends.point[(k + 1) % n]) < 0) return ends.point[k];
-    return std::nullopt;
 }
 
 /// Largest distance, in grid units, of a corner from the chord of the run of sides of one line on which it lies.
 double stray(const Ring& ring) {
-    const std::size_t n = ring.point.size();
+    const std::size_t n = ring.size();
+    const auto at = [&](std::size_t k) -> const RingCorner& { return ring[k % n]; };
+    const auto is_straight = [&](std::size_t k) {
+        return goes_straight(at(k + n - 1).point, at(k).point, at(k + 1).point, at(k + n - 1).line, at(k).line);
+    };
     std::size_t start = 0;
-    while (start < n && ring.goes_straight_at(start)) ++start;
+    while (start < n && is_straight(start)) ++start;
     double worst = 0;
     for (std::size_t run = start; run < start + n;) {
         std::size_t end = run + 1;
-        while (end < start + n && ring.goes_straight_at(end)) ++end;
-        const GridPoint a = ring.point[run % n], b = ring.point[end % n];
+        while (end < start + n && is_straight(end)) ++end;
+        const GridPoint a = at(run).point, b = at(end).point;
         const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
         for (std::size_t k = run + 1; k < end && length > 0; ++k)
-            worst = std::max(worst, std::abs(double(orientation(a, b, ring.point[k % n]))) / length);
+            worst = std::max(worst, std::abs(double(orientation(a, b, at(k).point))) / length);
         run = end;
     }
     return worst;
@@ -100,12 +75,11 @@ void check_shapes(const Building& building, Blame& blame, CheckReport& report) {
             continue;
         }
         const Ring ring = ring_of(building, building.pieces[volume.piece]);
-        const Ring ends = without_straight_corners(ring);
-        // A sliver as wide as the grid may have all its sides on two lines: it has no chord corners to judge.
-        if (const auto corner = ends.point.size() < 3 ? std::nullopt : reflex_corner(ends)) {
+        if (const auto corner = reflex_corner(ring)) {
             blame_volume(building, v, "A piece of " + title(building.spaces[volume.space]) + " is not convex.", blame,
                          report);
-            report.findings.back().point = {building.frame.world_x(corner->x), building.frame.world_y(corner->y),
+            const GridPoint p = ring[*corner].point;
+            report.findings.back().point = {building.frame.world_x(p.x), building.frame.world_y(p.y),
                                             building.frame.world_z(volume.z_low)};
         } else if (const double distance = stray(ring); distance > most_stray) {
             char text[32];

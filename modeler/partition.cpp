@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -118,8 +119,7 @@ private:
         return orientation(points_[a], points_[b], points_[c]) >= 0;
     }
 
-    /// Whether `in` may be followed by `out`: corners are judged between the chords of straight runs, so that a bend
-    /// of one grid unit beside a corner does not count.
+    /// Whether `in` may be followed by `out`: between the chords of straight runs, which later roundings hardly turn.
     [[nodiscard]] bool corner_is_fine(std::uint32_t in, std::uint32_t out) const {
         const std::uint32_t first = run_first(in), last = run_last(out);
         if (!one_line(in, out)) return turns_left(from_[first], from_[out], to(last));
@@ -243,23 +243,33 @@ std::vector<std::uint32_t> simple_ring(std::span<const PolygonSide> sides) {
     return ring.size() == sides.size() ? ring : std::vector<std::uint32_t>{};
 }
 
-/// Whether no corner between the chords of different lines turns right.
+/// Whether no corner between different lines turns right.
 bool is_convex(std::span<const GridPoint> points, std::span<const PolygonSide> sides,
                const std::vector<std::uint32_t>& ring) {
-    std::vector<GridPoint> ends;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const PolygonSide& in = sides[ring[(k + ring.size() - 1) % ring.size()]];
-        const PolygonSide& out = sides[ring[k]];
-        if (!goes_straight(points[in.from], points[out.from], points[out.to], in.line, out.line))
-            ends.push_back(points[out.from]);
-    }
-    const std::size_t n = ends.size();
-    for (std::size_t k = 0; k < n; ++k)
-        if (orientation(ends[(k + n - 1) % n], ends[k], ends[(k + 1) % n]) < 0) return false;
-    return n >= 3;
+    std::vector<RingCorner> corners;
+    for (const std::uint32_t k : ring) corners.push_back({points[sides[k].from], sides[k].line});
+    return !reflex_corner(corners);
 }
 
 }  // namespace
+
+std::optional<std::size_t> reflex_corner(std::span<const RingCorner> ring) {
+    const std::size_t n = ring.size();
+    const auto at = [&](std::size_t k) -> const RingCorner& { return ring[k % n]; };
+    std::vector<std::size_t> ends;
+    for (std::size_t k = 0; k < n; ++k)
+        if (!goes_straight(at(k + n - 1).point, at(k).point, at(k + 1).point, at(k + n - 1).line, at(k).line))
+            ends.push_back(k);
+    if (ends.size() < 3) return std::nullopt;  // a sliver as wide as the grid, all of it on two lines
+    for (std::size_t e = 0; e < ends.size(); ++e) {
+        const std::size_t k = ends[e], before = ends[(e + ends.size() - 1) % ends.size()],
+                          after = ends[(e + 1) % ends.size()];
+        if (orientation(at(before).point, at(k).point, at(after).point) < 0 &&
+            orientation(at(k + n - 1).point, at(k).point, at(k + 1).point) < 0)
+            return k;
+    }
+    return std::nullopt;
+}
 
 Partition partition(std::span<const GridPoint> points, std::span<const PolygonSide> sides, PartitionGoal goal) {
     const std::vector<std::uint32_t> ring = simple_ring(sides);

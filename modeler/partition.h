@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ inline constexpr std::uint32_t cut_tag = UINT32_MAX;
 
 enum class PartitionGoal {
     Disc,    ///< simply connected, no point visited twice
-    Convex,  ///< no reflex corner between the chords of different lines
+    Convex,  ///< no reflex corner (`reflex_corner`)
 };
 
 /// The pieces as rings of sides, counter-clockwise; a cut appears in two rings, with tag `cut_tag` and line `cut_tag`.
@@ -51,5 +52,15 @@ struct Partition {
                (std::int64_t(b.y) - a.y) * (std::int64_t(c.y) - b.y) >=
            0;
 }
+
+struct RingCorner {
+    plans::GridPoint point;
+    std::uint32_t line = 0;  ///< of the side that leaves the corner
+};
+
+/// A corner of a counter-clockwise ring that turns right between different lines. Rounding bends lines by a unit: a
+/// corner counts only where it turns right between its two sides and between the chords of the straight runs that they
+/// end.
+[[nodiscard]] std::optional<std::size_t> reflex_corner(std::span<const RingCorner> ring);
 
 }  // namespace enfilade::modeler
