@@ -53,6 +53,7 @@ Building build(const plans::Plan& plan, const BuildOptions& options) {
     building.name = plan.name;
     building.plan_json = plans::write_json(cleaned);
     building.opaque_glass = options.opaque_glass;
+    building.sagitta = arrange.sagitta_mm / 1000;
     building.max_deviation = std::max(building.max_deviation, layout.graph.max_deviation);
     building.findings.insert(building.findings.begin(), findings.begin(), findings.end());
     return building;

@@ -81,6 +81,7 @@ struct Building {
     bool convex = false;                    ///< `convexify` has run
     bool opaque_glass = false;
     double max_deviation = 0;  ///< grid units that snap rounding moved an edge at most
+    double sagitta = 0.002;    ///< metres: chord error of curved walls that was asked for
 
     std::string plan_json;          ///< the cleaned plan, canonical
     Stack stack;                    ///< what the volumes were made from; empty in a building read back from a scene

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "modeler/constraints.h"
+#include "modeler/constraints/constraints.h"
+#include "plans/read.h"
 
 namespace enfilade::modeler {
 
@@ -16,9 +17,12 @@ std::size_t CheckReport::count(const std::string& code) const {
         std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; }));
 }
 
-CheckReport check(const Building& building) {
+CheckReport check(const Building& building, const CheckOptions& options) {
     CheckReport report;
-    Blame blame{std::vector<bool>(building.volumes.size(), false), std::vector<bool>(building.faces.size(), false)};
+    const plans::Plan plan = building.plan_json.empty() ? plans::Plan{} : plans::read_json(building.plan_json, "");
+    [[maybe_unused]] const Subject subject{building, plan, options};
+    Blame blame{std::vector<bool>(building.volumes.size(), false), std::vector<bool>(building.faces.size(), false),
+                std::vector<bool>(building.vertices.size(), false), std::vector<bool>(building.spaces.size(), false)};
     check_topology(building, blame, report);
     check_partition(building, blame, report);
     if (building.convex) check_convexity(building, blame, report);

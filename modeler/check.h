@@ -20,8 +20,12 @@ struct CheckReport {
     [[nodiscard]] std::size_t count(const std::string& code) const;
 };
 
-/// Applies T1-T7, G5, G8 (once convex) and D2 to the map, and adds what the plan's stages had to say.
-/// Works on the map, the points and the tables of the building alone: the geometry is computed anew from the map.
-[[nodiscard]] CheckReport check(const Building& building);
+struct CheckOptions {
+    double least_thickness = 0.01;  ///< metres: walls and slabs thinner than this are doubtful (G6)
+};
+
+/// Applies the constraints to the map, and adds what the plan's stages had to say. The geometry is computed anew from
+/// the map and its points; what the plan says is read anew from the building's `plan_json`.
+[[nodiscard]] CheckReport check(const Building& building, const CheckOptions& options = {});
 
 }  // namespace enfilade::modeler

@@ -12,6 +12,7 @@ Building convexify(const Building& building, Convexifier) {
     Building convex = realise(building.stack, Cutting::Convex);
     convex.name = building.name;
     convex.plan_json = building.plan_json;
+    convex.sagitta = building.sagitta;
     convex.opaque_glass = building.opaque_glass;
     convex.max_deviation = std::max(convex.max_deviation, building.max_deviation);
     convex.findings.insert(convex.findings.begin(), building.findings.begin(), building.findings.end());

@@ -138,7 +138,8 @@ Json meta_json(const Building& building) {
         {"site_max", building.site_max},
         {"convex", building.convex},
         {"opaque_glass", building.opaque_glass},
-        {"max_deviation", building.max_deviation}};
+        {"max_deviation", building.max_deviation},
+        {"sagitta", building.sagitta}};
     for (const Space& space : building.spaces)
         meta["spaces"].push_back({int(space.label), space.id, space.name, space.kind, space.storey, space.area_m2,
                                   colour_json(space.colour), colour_json(space.ceiling_colour), space.closed});
@@ -162,6 +163,7 @@ void read_meta(const Json& meta, Building& building) {
     building.convex = meta.at("convex");
     building.opaque_glass = meta.at("opaque_glass");
     building.max_deviation = meta.at("max_deviation");
+    building.sagitta = meta.at("sagitta");
     for (const Json& row : meta.at("spaces")) {
         const int label = row.at(0);
         if (label < 0 || label >= accel::label_count) damaged("a space has no known label");

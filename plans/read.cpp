@@ -52,7 +52,7 @@ std::string guess(std::string_view bytes) {
 
 }  // namespace
 
-Plan read(const std::filesystem::path& file) {
+Plan read(const std::filesystem::path& file, const ReadOptions& /*options*/) {
     const std::string bytes = read_bytes(file);
     if (is_zip(bytes)) return read_sweet_home(std::as_bytes(std::span(bytes)), file.string());
     if (looks_like_json(bytes)) return read_json(bytes, file.string());

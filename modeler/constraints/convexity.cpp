@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/constraints.h"
+#include "modeler/constraints/constraints.h"
 #include "modeler/map_geometry.h"
 #include "modeler/partition.h"
 #include "modeler/place.h"

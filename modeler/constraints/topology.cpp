@@ -1,7 +1,7 @@
 // T1-T7.
 
 #include "gmap/validate.h"
-#include "modeler/constraints.h"
+#include "modeler/constraints/constraints.h"
 #include "modeler/place.h"
 
 namespace enfilade::modeler {

@@ -1,6 +1,6 @@
 // D2: the graph of cells and portals, and the map, say the same.
 
-#include "modeler/constraints.h"
+#include "modeler/constraints/constraints.h"
 #include "modeler/face_label.h"
 #include "modeler/place.h"
 

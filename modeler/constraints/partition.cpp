@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "modeler/constraints.h"
+#include "modeler/constraints/constraints.h"
 #include "modeler/map_geometry.h"
 #include "modeler/place.h"
 
