@@ -69,10 +69,19 @@ std::string dump(const nlohmann::ordered_json& json) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
-void write_report(const std::filesystem::path& file, const ReportSubject& subject, const modeler::CheckReport& report) {
-    if (file.extension() == ".json") write_text(file, dump(report_json(subject, report)));
-    else if (file.extension() == ".txt") write_text(file, report_text(subject, report));
-    else throw InputError("F104", file.string(), "A report is written as .json or as .txt: end its name so.");
+void need_report_name(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (!file.empty() && extension != ".json" && extension != ".txt")
+        throw InputError("F104", file.string(), "A report is written as .json or as .txt: end its name so.");
+}
+
+void write_report(const std::filesystem::path& file, const ReportSubject& subject, const modeler::CheckReport& report,
+                  const modeler::Building* building) {
+    need_report_name(file);
+    const std::string extension = file.extension().string();
+    (void)building;
+    if (extension == ".json") write_text(file, dump(report_json(subject, report)));
+    else write_text(file, report_text(subject, report));
 }
 
 }  // namespace enfilade::tools

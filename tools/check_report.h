@@ -28,7 +28,12 @@ struct ReportSubject {
 /// JSON as a file holds it, with a line end; bytes that are no UTF-8 (names of old files) are replaced.
 [[nodiscard]] std::string dump(const nlohmann::ordered_json& json);
 
-/// Writes the report as `file`'s extension says. Throws InputError where it is neither .json nor .txt, IoError.
-void write_report(const std::filesystem::path& file, const ReportSubject& subject, const modeler::CheckReport& report);
+/// Throws InputError where a report's name ends in none of .html, .json and .txt; nothing where it is empty.
+void need_report_name(const std::filesystem::path& file);
+
+/// Writes the report as `file`'s extension says; `building` is drawn in a page, null where there is none.
+/// Throws InputError as `need_report_name`, IoError.
+void write_report(const std::filesystem::path& file, const ReportSubject& subject, const modeler::CheckReport& report,
+                  const modeler::Building* building);
 
 }  // namespace enfilade::tools

@@ -33,7 +33,7 @@ Built build_scene(const BuildCommandOptions& options, const Console& console) {
     Progress progress(console, std::move(steps));
     Built built;
     built.seconds = seconds_of([&] {
-        const plans::Plan plan = plans::read(options.plan);
+        const plans::Plan plan = plans::read(options.plan, options.read.options);
         progress.next();
         built.modelled = model(plan, options.model, progress);
         progress.next();
@@ -64,12 +64,12 @@ std::string result_json(const BuildCommandOptions& options, const Built& built, 
 }  // namespace
 
 int run_build(const BuildCommandOptions& options, const Console& console) {
-    if (!options.report.empty() && options.report.extension() != ".json" && options.report.extension() != ".txt")
-        throw InputError("F104", options.report.string(), "A report is written as .json or as .txt: end its name so.");
+    need_output(options.output, "build");
+    need_report_name(options.report);
     const Built built = build_scene(options, console);
     const modeler::CheckReport& report = built.modelled.report;
     const ReportSubject subject{options.plan.string(), ""};
-    if (!options.report.empty()) write_report(options.report, subject, report);
+    if (!options.report.empty()) write_report(options.report, subject, report, &built.modelled.building);
 
     const bool defects = has_defects(report, options.strict);
     const bool written = !defects || options.keep_going;

@@ -28,7 +28,7 @@ modeler::CheckReport check_plan(const CheckOptions& options, const Console& cons
     std::vector<std::string> steps = {"Reading the plan"};
     steps.insert(steps.end(), model_steps.begin(), model_steps.end());
     Progress progress(console, std::move(steps));
-    const plans::Plan plan = plans::read(options.input);
+    const plans::Plan plan = plans::read(options.input, options.read.options);
     progress.next();
     return model(plan, options.model, progress).report;
 }
@@ -36,6 +36,7 @@ modeler::CheckReport check_plan(const CheckOptions& options, const Console& cons
 }  // namespace
 
 int run_check(const CheckOptions& options, const Console& console) {
+    need_report_name(options.report);
     ReportSubject subject{options.input.string(), ""};
     modeler::CheckReport report;
     if (is_scene(options.input)) {
@@ -49,6 +50,7 @@ int run_check(const CheckOptions& options, const Console& console) {
     } else {
         report = check_plan(options, console);
     }
+    if (!options.report.empty()) write_report(options.report, subject, report, nullptr);
     if (console.json()) console.print(dump(report_json(subject, report)));
     else console.say(report_text(subject, report));
     const bool differs = subject.certificate.starts_with("differs");

@@ -11,11 +11,12 @@
 namespace enfilade::tools {
 
 int run_import(const ImportOptions& options, const Console& console) {
+    need_output(options.output, "import");
     plans::Plan plan;
     nlohmann::ordered_json as_read;
     {
         Progress progress(console, {"Reading the plan", "Repairing", "Writing"});
-        plan = plans::read(options.plan);
+        plan = plans::read(options.plan, options.read.options);
         as_read = plan_counts_json(plan);
         progress.next();
         plan = plans::clean(std::move(plan));

@@ -8,13 +8,30 @@
 #include <string>
 #include <vector>
 
+#include "plans/read.h"
 #include "tools/console.h"
 
 namespace enfilade::tools {
 
+/// What plan files need to be told: the flags that `import`, `build` and `check` share.
+struct ReadFlags {
+    plans::ReadOptions options;
+    bool list_layers = false;  ///< name the layers of a drawing, and do nothing else
+};
+
+/// "x0,y0,x1,y1" as a box. Throws InputError.
+[[nodiscard]] plans::DrawingBox parse_crop(const std::string& text);
+
+/// Throws InputError where no output is named.
+void need_output(const std::filesystem::path& output, const std::string& command);
+
+/// Prints the layers of a drawing. Throws InputError where the file is none.
+int list_layers(const std::filesystem::path& file, const Console& console);
+
 struct ImportOptions {
     std::filesystem::path plan;
     std::filesystem::path output;
+    ReadFlags read;
     bool strict = false;
 };
 int run_import(const ImportOptions& options, const Console& console);
@@ -36,6 +53,7 @@ struct ModelOptions {
     std::optional<double> sagitta_mm;
     std::optional<double> step_mm;
     bool opaque_glass = false;
+    std::optional<double> least_thickness_mm;
 };
 
 /// "0,2" as numbers. Throws InputError.
@@ -44,7 +62,8 @@ struct ModelOptions {
 struct BuildCommandOptions {
     std::filesystem::path plan;
     std::filesystem::path output;
-    std::filesystem::path report;  ///< .json or .txt; empty: none
+    std::filesystem::path report;  ///< .html, .json or .txt; empty: none
+    ReadFlags read;
     ModelOptions model;
     bool keep_going = false;
     bool strip = false;
@@ -53,8 +72,11 @@ struct BuildCommandOptions {
 int run_build(const BuildCommandOptions& options, const Console& console);
 
 struct CheckOptions {
-    std::filesystem::path input;  ///< a plan or a scene
+    std::filesystem::path input;   ///< a plan, a scene or a mesh
+    std::filesystem::path report;  ///< .html, .json or .txt; empty: none
+    ReadFlags read;
     ModelOptions model;
+    std::optional<double> weld;  ///< meshes: join points this close, in the file's unit; nothing: none
     bool strict = false;
 };
 int run_check(const CheckOptions& options, const Console& console);

@@ -33,7 +33,11 @@ constexpr const char* about =
 constexpr const char* exit_codes =
     "Every command ends with 0 when all is well, 1 when the plan or the model has errors, 2 when a file or a flag is\n"
     "wrong, 3 when a file or a device would not do its part. \"enfilade COMMAND --help\" shows the flags of a command.";
-constexpr const char* plan_text = "the plan: our JSON, or a Sweet Home 3D home (.sh3d)";
+constexpr const char* plan_text =
+    "the plan: our JSON, a Sweet Home 3D home (.sh3d), a DXF drawing, or FloorspaceJS JSON";
+
+constexpr const char* report_text =
+    "write all findings to this file: .html is a page with the plan drawn, .json is for programs, .txt is plain";
 
 template <class Options>
 CLI::App* add_command(CLI::App& app, Invocation& invocation, Options& options, const char* name, const char* sentence,
@@ -64,6 +68,40 @@ void add_positional(CLI::App* command, const char* name, T& value, const std::st
     command->add_option(name, value, sentence)->option_text(" ")->required();
 }
 
+void add_read_flags(CLI::App* command, ReadFlags& read) {
+    command
+        ->add_option_function<std::string>(
+            "--units", [&read](const std::string& name) { read.options.unit = plans::unit_of(name); },
+            "drawings and FloorspaceJS: unit of the numbers in the file, whatever it says itself: mm, cm, dm, m, km, "
+            "in, ft, yd or mi")
+        ->option_text("UNIT")
+        ->check(CLI::IsMember({"mm", "cm", "dm", "m", "km", "in", "ft", "yd", "mi"}));
+    command
+        ->add_option("--layer", read.options.layers,
+                     "drawings: read this layer only; * and ? match, and it may be given several times (all)")
+        ->option_text("NAME")
+        ->expected(1);
+    command
+        ->add_option_function<std::string>(
+            "--crop", [&read](const std::string& box) { read.options.crop = parse_crop(box); },
+            "drawings: read only what lies in this box of the drawing's own numbers, for sheets with several plans")
+        ->option_text("X0,Y0,X1,Y1");
+    add_value(command, "--mapping", read.options.mapping, "FILE",
+              "drawings: JSON that says which layers and blocks are walls, doors, windows (docs/dxf.md)");
+    command
+        ->add_option_function<double>(
+            "--wall-thickness-mm", [&read](double mm) { read.options.wall_thickness = mm / 1000; },
+            "thickness of walls that the file draws as single lines (100)")
+        ->option_text("MM")
+        ->check(CLI::PositiveNumber);
+    command
+        ->add_option_function<double>(
+            "--storey-height-mm", [&read](double mm) { read.options.storey_height = mm / 1000; },
+            "floor to ceiling where the file does not say (2500)")
+        ->option_text("MM")
+        ->check(CLI::PositiveNumber);
+}
+
 void add_model_flags(CLI::App* command, ModelOptions& model) {
     command
         ->add_option_function<std::string>(
@@ -78,6 +116,9 @@ void add_model_flags(CLI::App* command, ModelOptions& model) {
         ->check(CLI::PositiveNumber);
     add_value(command, "--step-mm", model.step_mm, "MM", "height of the steps that sloped wall tops are cut into (250)")
         ->check(CLI::PositiveNumber);
+    add_value(command, "--least-thickness-mm", model.least_thickness_mm, "MM",
+              "warn of walls and slabs that are thinner (10)")
+        ->check(CLI::NonNegativeNumber);
     command
         ->add_option_function<std::string>(
             "--glass", [&model](const std::string& kind) { model.opaque_glass = kind == "opaque"; },
@@ -91,7 +132,8 @@ void add_import(CLI::App& app, Invocation& invocation, ImportOptions& options) {
                                     "Read a plan in any format and write it as our JSON, with what was repaired.",
                                     "  enfilade import house.sh3d -o house.json", run_import);
     add_positional(command, "PLAN", options.plan, plan_text);
-    add_needed(command, "-o,--output", options.output, "FILE", "the JSON file to write (needed)");
+    add_value(command, "-o,--output", options.output, "FILE", "the JSON file to write (needed)");
+    add_read_flags(command, options.read);
     add_strict(command, options.strict);
 }
 
@@ -117,12 +159,13 @@ void add_build(CLI::App& app, Invocation& invocation, BuildCommandOptions& optio
                                     "Model a building from its plan, check it, and write it as a scene.",
                                     "  enfilade build house.sh3d -o house.enf --report house.txt", run_build);
     add_positional(command, "PLAN", options.plan, plan_text);
-    add_needed(command, "-o,--output", options.output, "FILE", "the scene file to write, .enf (needed)");
+    add_value(command, "-o,--output", options.output, "FILE", "the scene file to write, .enf (needed)");
     add_model_flags(command, options.model);
+    add_read_flags(command, options.read);
     command->add_flag("--keep-going", options.keep_going, "write the scene even where the check finds errors");
     command->add_flag("--strip", options.strip,
                       "leave out the model group: a smaller file that can be traced, but not checked");
-    add_value(command, "--report", options.report, "FILE", "write all findings to this file, .txt or .json");
+    add_value(command, "--report", options.report, "FILE", report_text);
     add_strict(command, options.strict);
 }
 
@@ -131,8 +174,14 @@ void add_check(CLI::App& app, Invocation& invocation, CheckOptions& options) {
         add_command(app, invocation, options, "check",
                     "Say whether the model of a plan, or a scene file, is sound, and what is wrong where.",
                     "  enfilade check house.sh3d\n  enfilade check house.enf --json", run_check);
-    add_positional(command, "INPUT", options.input, "a plan, or a scene file (.enf)");
+    add_positional(command, "INPUT", options.input,
+                   "a plan, a scene file (.enf), or a mesh of closed bodies (.obj, .off, .ply, .stl, .city.json)");
+    add_value(command, "--report", options.report, "FILE", report_text);
     add_model_flags(command, options.model);
+    add_read_flags(command, options.read);
+    add_value(command, "--weld", options.weld, "DISTANCE",
+              "meshes: join points this close, in the file's unit; 0 joins equal points (none; STL: 0)")
+        ->check(CLI::NonNegativeNumber);
     add_strict(command, options.strict);
 }
 

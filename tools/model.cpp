@@ -65,6 +65,12 @@ modeler::BuildOptions build_options(const ModelOptions& options, const plans::Pl
     return build;
 }
 
+modeler::CheckOptions check_options(const ModelOptions& options) {
+    modeler::CheckOptions check;
+    if (options.least_thickness_mm) check.least_thickness = *options.least_thickness_mm / 1000;
+    return check;
+}
+
 Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& progress) {
     const modeler::BuildOptions build = build_options(options, plan);
     Modelled modelled;
@@ -75,7 +81,7 @@ Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& p
         modelled.building = modeler::convexify(whole);
     }
     progress.next();
-    modelled.report = modeler::check(modelled.building);
+    modelled.report = modeler::check(modelled.building, check_options(options));
     return modelled;
 }
 

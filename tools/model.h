@@ -23,6 +23,9 @@ inline const std::vector<std::string> model_steps = {"Modelling", "Cutting into 
 /// What `modeler::build` makes of the flags. Throws InputError where a storey does not exist.
 [[nodiscard]] modeler::BuildOptions build_options(const ModelOptions& options, const plans::Plan& plan);
 
+/// What `modeler::check` makes of the flags.
+[[nodiscard]] modeler::CheckOptions check_options(const ModelOptions& options);
+
 /// Builds, convexifies and checks. `progress` stands at the first of `model_steps`, and is left at the last one.
 [[nodiscard]] Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& progress);
 
