@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -109,6 +110,20 @@ double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+double growth_exponent(const std::vector<std::array<double, 2>>& points) {
+    double x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;
+    for (const auto& [size, seconds] : points) {
+        const double x = std::log(size);
+        const double y = std::log(seconds);
+        x_sum += x;
+        y_sum += y;
+        xx_sum += x * x;
+        xy_sum += x * y;
+    }
+    const double count = double(points.size());
+    return (count * xy_sum - x_sum * y_sum) / (count * xx_sum - x_sum * x_sum);
 }
 
 double peak_memory() { return status_bytes("VmHWM:"); }

@@ -2,6 +2,7 @@
 // What a benchmark measures, against what, and whether that is enough (docs/benchmarks.md).
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -110,6 +111,9 @@ template <class A, class B>
     return {median(std::move(a_times)), median(std::move(b_times)), median(std::move(ratios))};
 }
 
+/// Exponent of seconds over size: slope of the line through the points (log size, log seconds), by least squares.
+[[nodiscard]] double growth_exponent(const std::vector<std::array<double, 2>>& points);
+
 /// Largest resident memory of this process since the last `reset_peak_memory`, in bytes.
 [[nodiscard]] double peak_memory();
 void reset_peak_memory();
@@ -132,6 +136,7 @@ private:
 // The benchmarks, one file each (bench_<name>.cpp).
 void bench_build(Bench& bench);
 void bench_cells(Bench& bench);
+void bench_check(Bench& bench);
 void bench_dial(Bench& bench);
 void bench_gmap(Bench& bench);
 void bench_scene(Bench& bench);

@@ -49,21 +49,6 @@ StageSeconds median_run(const plans::Plan& plan, int runs) {
     return all[all.size() / 2];
 }
 
-/// Slope of the line through the points (log size, log seconds), by least squares.
-double growth_exponent(const std::vector<std::array<double, 2>>& points) {
-    double x_sum = 0, y_sum = 0, xx_sum = 0, xy_sum = 0;
-    for (const auto& [size, seconds] : points) {
-        const double x = std::log(size);
-        const double y = std::log(seconds);
-        x_sum += x;
-        y_sum += y;
-        xx_sum += x * x;
-        xy_sum += x * y;
-    }
-    const double count = double(points.size());
-    return (count * xy_sum - x_sum * y_sum) / (count * xx_sum - x_sum * x_sum);
-}
-
 void add_stages(Bench& bench, const std::string& scene, const StageSeconds& seconds) {
     const auto add = [&](const char* name, double value) {
         bench.add({.row = name, .scene = scene, .value = value, .unit = "s"});

@@ -6,6 +6,7 @@ import sys
 
 TITLES = {
     "build": "From a plan to a scene",
+    "check": "Proving a model sound",
     "gmap": "The topological kernel",
     "scene": "Loading a scene",
     "cells": "Tracing through cells",

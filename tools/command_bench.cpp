@@ -19,6 +19,7 @@ struct Entry {
 
 constexpr std::array entries = {
     Entry{"build", "from a plan to a scene: time, memory and how both grow", bench_build},
+    Entry{"check", "proving a model sound: every constraint, and how its time grows", bench_check},
     Entry{"gmap", "the topological kernel: bytes a dart, validation", bench_gmap},
     Entry{"scene", "loading and validating a scene file", bench_scene},
     Entry{"cells", "tracing through cells, against Embree on the same rays", bench_cells},
