@@ -7,9 +7,8 @@
 
 namespace enfilade::render {
 
-/// Writes `image` by the ending of `path`: .exr as linear floats, .png, .jpg and others as 8-bit sRGB. The file appears
-/// under its name when it is complete. \throws InputError (R4) for an ending that no writer knows, IoError if it cannot
-/// be written.
+/// Writes `image` by the ending of `path`: .exr as linear halves, .png as 8-bit sRGB. The file appears under its name
+/// when it is complete. \throws InputError (R4) for another ending, IoError if it cannot be written.
 void write_image(const Image& image, const std::filesystem::path& path);
 
 /// Reads what `write_image` wrote (8-bit files back to linear). \throws IoError
