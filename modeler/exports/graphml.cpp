@@ -1,15 +1,14 @@
 #include "modeler/exports/graphml.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdint>
-#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "modeler/exports/scene_measure.h"
+#include "modeler/exports/space_graph.h"
+#include "modeler/exports/xml_text.h"
 
 namespace enfilade::modeler {
 
@@ -33,22 +32,6 @@ constexpr const char* head = R"(<?xml version="1.0" encoding="UTF-8"?>
   <key id="opening" for="edge" attr.name="opening_m2" attr.type="double"/>
 )";
 
-/// Text as XML holds it; characters that XML forbids are left out.
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default:
-                if (static_cast<unsigned char>(c) >= ' ') out += c;
-        }
-    }
-    return out;
-}
-
 std::string number(double value) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, value + 0.0).ptr};
@@ -68,7 +51,7 @@ public:
 
 private:
     void data(const char* key, std::string_view value) {
-        if (!value.empty()) text_ += "      <data key=\"" + std::string(key) + "\">" + escaped(value) + "</data>\n";
+        if (!value.empty()) text_ += "      <data key=\"" + std::string(key) + "\">" + xml_text(value) + "</data>\n";
     }
     void data(const char* key, double value) { data(key, std::string_view(number(value))); }
 
@@ -91,44 +74,21 @@ private:
     static std::string cell_node(std::uint32_t cell) { return "c" + std::to_string(cell); }
     std::uint32_t space_of(accel::CellId cell) const { return std::uint32_t(index(scene_.cells[index(cell)].space)); }
 
-    /// Sum of a space's cells: its centre is that of its mass, which may lie outside a room that is not convex.
-    std::vector<CellMeasure> space_measures() const {
-        std::vector<CellMeasure> sums(scene_.spaces.size());
-        for (std::size_t c = 0; c < measures_.size(); ++c) {
-            CellMeasure& sum = sums[space_of(accel::CellId(c))];
-            sum.floor_area += measures_[c].floor_area;
-            sum.volume += measures_[c].volume;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sum.centre[axis] += measures_[c].volume * measures_[c].centre[axis];
-        }
-        for (CellMeasure& sum : sums)
-            for (double& coordinate : sum.centre) coordinate /= sum.volume > 0 ? sum.volume : 1;
-        return sums;
-    }
-
     void write_spaces() {
         text_ += "  <graph id=\"spaces\" edgedefault=\"undirected\">\n";
-        const std::vector<CellMeasure> sums = space_measures();
-        for (std::uint32_t s = 0; s < sums.size(); ++s) {
-            if (!(sums[s].volume > 0)) continue;  // walls and slabs are no places
-            const accel::Space& space = scene_.spaces[s];
-            text_ += "    <node id=\"" + space_node(s) + "\">\n";
+        const SpaceGraph graph = space_graph(scene_, areas_);
+        for (const SpaceNode& node : graph.nodes) {
+            const accel::Space& space = scene_.spaces[node.space];
+            text_ += "    <node id=\"" + space_node(node.space) + "\">\n";
             data("label", accel::name_of(space.label));
             data("id", scene_.string(space.id));
             data("name", scene_.string(space.name));
             data("storey", scene_.string(space.storey));
-            measure_data(sums[s]);
+            measure_data(node.measure);
             text_ += "    </node>\n";
         }
-        // One edge for all openings of one kind between two spaces; cuts inside a space are none.
-        std::map<std::array<std::uint32_t, 3>, double> openings;
-        for (std::size_t p = 0; p < scene_.portals.size(); ++p) {
-            const accel::Portal& portal = scene_.portals[p];
-            const auto [low, high] = std::minmax({space_of(portal.front), space_of(portal.back)});
-            if (low != high) openings[{low, high, std::uint32_t(portal.kind())}] += areas_[p];
-        }
-        for (const auto& [key, opening] : openings)
-            edge(space_node(key[0]), space_node(key[1]), accel::name_of(accel::PortalKind(key[2])), opening);
+        for (const SpaceLink& link : graph.links)
+            edge(space_node(link.from), space_node(link.to), accel::name_of(link.kind), link.opening);
         text_ += "  </graph>\n";
     }
 
