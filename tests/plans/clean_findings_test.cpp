@@ -26,7 +26,7 @@ TEST(Findings, AreAllInTheTableAndNoOthers) {
     const std::filesystem::path root = ENFILADE_SOURCE_DIR;
     std::set<std::string> used;
     for (const char* folder : {"plans", "modeler"})
-        for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
             if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
             used.merge(codes_in(text_of(entry.path()), std::regex("\"(P[0-9]{3})\"")));
         }
