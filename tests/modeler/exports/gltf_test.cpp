@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "accel/assemble.h"
 #include "modeler/exports/scene_mesh.h"
+#include "tests/modeler/exports/exports_fixture.h"
 #include "tests/support/synthetic_scene.h"
 
 namespace enfilade::modeler {
@@ -20,7 +23,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-class Gltf : public testing::Test {
+class Gltf : public ::testing::Test {
 protected:
     Gltf() {
         scene_ = accel::assemble(test::synthetic_office({.rooms_per_row = 2, .rows = 1, .storeys = 2}));
@@ -95,6 +98,94 @@ TEST_F(Gltf, BoundsHoldThePositions) {
             ASSERT_LE(value, accessor["max"][i % 3].get<float>());
         }
     }
+}
+
+/// One room with two chairs of one model, one of another colour, a table without model, and two lamps.
+class FurnishedGltf : public ::testing::Test {
+protected:
+    FurnishedGltf() {
+        plans::Plan plan = enfilade::testing::one_room();
+        plans::Storey& ground = plan.storeys[0];
+        ground.elevation = 1.5;
+        ground.lights.push_back({"l1", "", {1, 1}, 2.25, {1, 0.5f, 0.25f}, 4 * std::numbers::pi});
+        ground.lights.push_back({"l2", "Lamp", {2, 1}, 2.25, {1, 1, 1}, 800});
+        const plans::Colour red = {0.5f, 0, 0};
+        ground.furniture.push_back({"c1", "Chair", "chair", {1, 2}, 0, 0, 0.5, 0.25, 1, false, red});
+        ground.furniture.push_back(
+            {"c2", "Chair", "chair", {2, 2}, 0.125, std::numbers::pi / 2, 0.5, 0.25, 1, true, red});
+        ground.furniture.push_back({"c3", "Chair", "chair", {3, 2}, 0, 0, 0.5, 0.25, 1, false, {}});
+        ground.furniture.push_back({"t", "Table", "", {3, 1}, 0, 0, 1, 1, 0.75, false, {}});
+        plan_ = test::built(plan);
+        bytes_ = to_glb(plan_.scene.view(), fittings(plan_.model));
+        json_ = nlohmann::json::parse(bytes_.substr(20, number_at(bytes_, 12)));
+    }
+    [[nodiscard]] std::vector<nlohmann::json> nodes_of(const std::string& label) const {
+        std::vector<nlohmann::json> found;
+        for (const auto& node : json_["nodes"])
+            if (node.contains("extras") && node["extras"]["label"] == label) found.push_back(node);
+        return found;
+    }
+    test::BuiltPlan plan_;
+    std::string bytes_;
+    nlohmann::json json_;
+};
+
+TEST_F(FurnishedGltf, LightsAreCandelaWhereThePlanHangsThem) {
+    EXPECT_EQ(json_["extensionsUsed"], nlohmann::json({"KHR_lights_punctual"}));
+    const auto& lights = json_["extensions"]["KHR_lights_punctual"]["lights"];
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_DOUBLE_EQ(lights[0]["intensity"], 1.0);
+    EXPECT_EQ(lights[0]["color"], nlohmann::json({1.0, 0.5, 0.25}));
+    EXPECT_NEAR(lights[1]["intensity"], 63.66, 0.01);
+    const std::vector<nlohmann::json> nodes = nodes_of("light");
+    ASSERT_EQ(nodes.size(), 2u);
+    const auto& frame = plan_.model.frame;
+    EXPECT_NEAR(nodes[1]["translation"][0], 2 - frame.origin_x, 1e-6);
+    EXPECT_NEAR(nodes[1]["translation"][1], 1.5 + 2.25 - frame.origin_z, 1e-6);
+    EXPECT_NEAR(nodes[1]["translation"][2], -(1 - frame.origin_y), 1e-6);
+    EXPECT_EQ(nodes[1]["extensions"]["KHR_lights_punctual"]["light"], 1);
+}
+
+TEST_F(FurnishedGltf, PiecesOfOneModelAndColourShareAMesh) {
+    const std::vector<nlohmann::json> nodes = nodes_of("furniture");
+    ASSERT_EQ(nodes.size(), 4u);
+    EXPECT_EQ(nodes[0]["mesh"], nodes[1]["mesh"]);
+    EXPECT_NE(nodes[0]["mesh"], nodes[2]["mesh"]);
+    EXPECT_NE(nodes[2]["mesh"], nodes[3]["mesh"]);
+    const auto position = [&](const nlohmann::json& node) {
+        return json_["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0]["attributes"]["POSITION"];
+    };
+    EXPECT_EQ(position(nodes[0]), position(nodes[3])) << "one box in the buffer for all";
+}
+
+TEST_F(FurnishedGltf, TurnsAndScalesBoxes) {
+    const nlohmann::json node = nodes_of("furniture")[1];
+    EXPECT_EQ(node["scale"], nlohmann::json({0.5, 1.0, 0.25}));
+    EXPECT_NEAR(node["rotation"][1], std::sin(std::numbers::pi / 4), 1e-12);
+    EXPECT_NEAR(node["translation"][1], 1.5 + 0.125 - plan_.model.frame.origin_z, 1e-6);
+    EXPECT_TRUE(node["extras"]["mirrored"]);
+}
+
+TEST_F(FurnishedGltf, HangFromTheirStorey) {
+    std::size_t storeys = 0;
+    for (const auto& node : json_["nodes"]) {
+        if (node["name"] != "storey ground") continue;
+        ++storeys;
+        std::size_t fitted = 0;
+        for (const auto& child : node["children"]) {
+            const auto& label = json_["nodes"][child.get<std::size_t>()]["extras"]["label"];
+            fitted += label == "light" || label == "furniture" ? 1 : 0;
+        }
+        EXPECT_EQ(fitted, 6u);
+    }
+    EXPECT_EQ(storeys, 1u);
+}
+
+TEST_F(FurnishedGltf, SkipsStoreysThatWereNotBuilt) {
+    modeler::Building other = plan_.model;
+    other.storeys[0].id = "another";
+    EXPECT_TRUE(fittings(other).lights.empty());
+    EXPECT_TRUE(fittings(other).furniture.empty());
 }
 
 }  // namespace
