@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "plans/floorspace/detect.h"
 
 namespace enfilade::plans {
 namespace {
@@ -32,7 +33,7 @@ std::string read_bytes(const std::filesystem::path& file) {
 
 bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06"); }
 
-/// Our JSON begins with a bracket or a comment, after a byte order mark and space.
+/// JSON begins with a bracket or a comment, after a byte order mark and space.
 bool looks_like_json(std::string_view bytes) {
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -52,12 +53,15 @@ std::string guess(std::string_view bytes) {
 
 }  // namespace
 
-Plan read(const std::filesystem::path& file, const ReadOptions& /*options*/) {
+Plan read(const std::filesystem::path& file, const ReadOptions& options) {
     const std::string bytes = read_bytes(file);
     if (is_zip(bytes)) return read_sweet_home(std::as_bytes(std::span(bytes)), file.string());
-    if (looks_like_json(bytes)) return read_json(bytes, file.string());
+    if (looks_like_json(bytes))
+        return is_floorspace(bytes) ? read_floorspace(bytes, file.string(), options) : read_json(bytes, file.string());
     throw InputError("P109", file.string(),
-                     guess(bytes) + "; the formats known are Enfilade's own JSON and Sweet Home 3D homes (.sh3d).");
+                     guess(bytes) +
+                         "; the formats known are Enfilade's own JSON, FloorspaceJS JSON and Sweet "
+                         "Home 3D homes (.sh3d).");
 }
 
 }  // namespace enfilade::plans
