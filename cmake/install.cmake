@@ -33,7 +33,8 @@ endforeach()
 # Where CMake's own files of a package ask for more than the library, it comes by pkg-config.
 if(libzip_FOUND)
   string(APPEND ENFILADE_DEPENDENCIES "find_dependency(PkgConfig)\n"
-    "pkg_check_modules(libzip REQUIRED QUIET IMPORTED_TARGET libzip)\n")
+    "pkg_check_modules(libzip REQUIRED QUIET IMPORTED_TARGET libzip)\n"
+    "pkg_check_modules(dxflib REQUIRED QUIET IMPORTED_TARGET dxflib)\n")
 endif()
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/enfilade)
