@@ -1,0 +1,99 @@
+#include "modeler/meshes/mesh_readers.h"
+#include "modeler/meshes/mesh_text.h"
+
+namespace enfilade::modeler {
+namespace {
+
+class ObjReader {
+public:
+    ObjReader(std::string_view bytes, const std::string& file) : text_(bytes, file) {
+        text_.set_comments(true);
+        text_.set_continuation(true);
+    }
+
+    Mesh read() {
+        if (text_.bytes().starts_with("\xEF\xBB\xBF")) text_.seek(3);
+        while (text_.next()) {
+            const std::string_view key = text_.word();
+            if (key == "v") read_vertex();
+            else if (key == "f" || key == "fo") read_face();
+            else if (key == "o" || key == "g") read_name(key == "o");
+            else if (key == "l" || key == "p" || key == "curv" || key == "surf") ++passed_over_;
+            skip_logical_line();
+        }
+        finish();
+        return std::move(mesh_);
+    }
+
+private:
+    void read_vertex() {
+        std::array<double, 3> point;
+        for (double& x : point) {
+            text_.next_in_line();
+            x = text_.coordinate();
+        }
+        mesh_.points.push_back(point);
+    }
+
+    void read_face() {
+        while (text_.next_in_line()) {
+            const std::size_t at = text_.position();
+            const std::int64_t written = text_.integer_before('/');
+            const auto count = static_cast<std::int64_t>(mesh_.points.size());
+            if (written == 0)
+                text_.fail("P804", "Vertices of an OBJ file are counted from 1; vertex 0 does not exist.");
+            if (written < -count)
+                text_.fail("P804", "Vertex " + std::to_string(written) + " is counted back from here, but only " +
+                                       std::to_string(count) + " vertices come before.");
+            const std::int64_t vertex = written > 0 ? written - 1 : count + written;
+            if (vertex >= std::int64_t{1} << 32) fail_range(at, written);
+            if (vertex > highest_) highest_ = vertex, highest_at_ = at;
+            mesh_.ring.push_back(static_cast<std::uint32_t>(vertex));
+        }
+        if (mesh_.ring.size() > max_corners) text_.fail("P800", "The faces of this mesh have more than 2^30 corners.");
+        mesh_.end_face();
+    }
+
+    void read_name(bool is_object) {
+        std::string name = text_.next_in_line() ? text_.rest_of_line() : std::string();
+        if (is_object) object_ = name;
+        // A group inside an object is a part of it: the object's name is the one that people know.
+        else if (!object_.empty()) name = object_ + (name.empty() ? "" : ", " + name);
+        const auto face = static_cast<std::uint32_t>(mesh_.face_count());
+        if (!mesh_.groups.empty() && mesh_.groups.back().first_face == face) mesh_.groups.pop_back();
+        mesh_.groups.push_back({face, std::move(name)});
+    }
+
+    void skip_logical_line() {
+        while (text_.next_in_line()) (void)text_.word();
+        text_.skip_line();
+    }
+
+    [[noreturn]] void fail_range(std::size_t at, std::int64_t written) {
+        text_.fail_at(at, "P804",
+                      "Vertex " + std::to_string(written) + " does not exist: the file has " +
+                          std::to_string(mesh_.points.size()) + " vertices.");
+    }
+
+    void finish() {
+        if (highest_ >= static_cast<std::int64_t>(mesh_.points.size())) fail_range(highest_at_, highest_ + 1);
+        if (passed_over_ == 0) return;
+        Finding finding{.code = "P812", .severity = Severity::Note};
+        finding.sentence = std::to_string(passed_over_) + " lines, points or curves of the file are no faces.";
+        finding.hint = "Only faces are checked.";
+        mesh_.findings.push_back(std::move(finding));
+    }
+
+    MeshText text_;
+    Mesh mesh_{.format = MeshFormat::Obj};
+    std::string object_;
+    std::uint64_t passed_over_ = 0;
+    std::int64_t highest_ = -1;
+    std::size_t highest_at_ = 0;
+};
+
+}  // namespace
+
+Mesh read_obj(std::string_view bytes, const std::string& file) { return ObjReader(bytes, file).read(); }
+
+}  // namespace enfilade::modeler
