@@ -105,7 +105,10 @@ int run_render(const RenderOptions& options, const Console& console);
 struct ExportOptions {
     std::filesystem::path scene;
     std::filesystem::path output;
+    std::string level = "rooms";  ///< of .dot: "rooms" or "cells"
 };
+/// The endings that `export` knows, a line each with what the format holds.
+[[nodiscard]] std::string export_list();
 int run_export(const ExportOptions& options, const Console& console);
 
 struct BenchOptions {

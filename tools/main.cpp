@@ -222,8 +222,9 @@ void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {
         "  enfilade export house.enf -o house.glb\n  enfilade export house.enf -o house.graphml", run_export);
     add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
     add_needed(command, "-o,--output", options.output, "FILE",
-               "the file to write: .glb (glTF) and .obj hold the faces, .graphml the rooms, the cells and what joins "
-               "them (needed)");
+               "the file to write (needed); its ending chooses the format:" + export_list());
+    add_value(command, "--level", options.level, "LEVEL", "of a .dot graph: rooms, or the convex cells (rooms)")
+        ->check(CLI::IsMember({"rooms", "cells"}));
 }
 
 void add_bench(CLI::App& app, Invocation& invocation, BenchOptions& options) {

@@ -1,0 +1,256 @@
+#include "tools/report/storey_drawing.h"
+
+#include <algorithm>
+#include <map>
+
+#include "modeler/outline.h"
+#include "tools/report/html_text.h"
+#include "tools/report/plan_symbols.h"
+#include "tools/report/room_label.h"
+#include "tools/report/wall_outline.h"
+
+namespace enfilade::tools {
+namespace {
+
+using modeler::Label;
+using modeler::SpacePart;
+
+/// Drawings are in millimetres with y up, pages in metres with y down.
+constexpr const char* to_page = " transform=\"scale(.001 -.001)\"";
+
+std::string path_tag(const char* classes, const SvgPath& path) {
+    if (path.empty()) return "";
+    return std::string("<path class=\"") + classes + "\" d=\"" + path.text() + "\"/>\n";
+}
+
+std::string layer(const char* name, const std::string& content) {
+    return std::string("<g class=\"layer layer-") + name + "\"" + to_page + ">\n" + content + "</g>\n";
+}
+
+/// Kinds of rooms that the page tints alike.
+const char* tint_of(const std::string& kind) {
+    static const std::map<std::string, const char*> tints = {
+        {"corridor", "way"}, {"hall", "way"},     {"lobby", "way"},    {"stairwell", "way"}, {"bathroom", "wet"},
+        {"toilet", "wet"},   {"kitchen", "wet"},  {"laundry", "wet"},  {"storage", "store"}, {"closet", "store"},
+        {"garage", "store"}, {"utility", "store"}};
+    const auto found = tints.find(kind);
+    return found == tints.end() ? "room" : found->second;
+}
+
+/// Names by font size: small ones are not shown from afar.
+class NameLayer {
+public:
+    void add(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name, double area) {
+        const std::string measure = area_text(area);
+        const RoomLabel label = fit_label(rings, at, name, measure);
+        if (label.size == 0) return;
+        const double lines = double(label.lines.size()) + (label.with_area ? 0.78 : 0);
+        std::string text = "<g";
+        if (label.upright)
+            text += " transform=\"translate(" + std::to_string(label.at.x) + " " + std::to_string(-label.at.y) +
+                    ") rotate(-90)\"";
+        const std::int64_t x = label.upright ? 0 : label.at.x, middle = label.upright ? 0 : -label.at.y;
+        text += ">";
+        double y = double(middle) - lines * 1.2 * label.size / 2;
+        const auto line = [&](const std::string& words, double size, const char* classes) {
+            y += 1.2 * size;
+            text += "<text" + std::string(classes) + " x=\"" + std::to_string(x) + "\" y=\"" + decimal(y - 0.32 * size, 0) +
+                    "\">" + escaped(words) + "</text>";
+        };
+        for (const std::string& words : label.lines) line(words, label.size, "");
+        if (label.with_area) line(measure, 0.78 * label.size, " class=\"area\"");
+        by_size_[label.size] += text + "</g>\n";
+    }
+
+    [[nodiscard]] std::string text() const {
+        std::string all = "<g class=\"layer layer-names\" transform=\"scale(.001)\">\n";
+        for (const auto& [size, texts] : by_size_)
+            all += "<g class=\"names\" data-size=\"" + decimal(size / 1000.0, 2) + "\" style=\"--size:" +
+                   std::to_string(size) + "px\">\n" + texts + "</g>\n";
+        return all + "</g>\n";
+    }
+
+private:
+    std::map<int, std::string> by_size_;
+};
+
+class StoreyDrawer {
+public:
+    StoreyDrawer(const PlanView& view, const Passages& passages, std::uint32_t storey)
+        : view_(view), passages_(passages), storey_(storey) {}
+
+    std::string run(const CellPaths* cells, const std::set<std::string>& blamed) {
+        std::string drawing = layer("grid", grid());
+        drawing += layer("rooms", outdoors() + rooms());
+        drawing += layer("stairs", stairs());
+        drawing += layer("furniture", path_tag("furniture", furniture_paths(view_, storey_)));
+        drawing += layer("walls", walls());
+        drawing += layer("windows", windows());
+        drawing += layer("doors", doors());
+        drawing += layer("marks", marks(blamed));
+        if (cells) drawing += cell_drawing(*cells);
+        return drawing + names_.text();
+    }
+
+private:
+    std::string grid() const {
+        const DrawnBox box = drawn_box(view_);
+        const double extent = std::max(box.width, box.height);
+        const std::int64_t step = extent < 150 ? 1000 : extent < 700 ? 5000 : 50000;
+        const auto down = [&](double metres) { return std::int64_t(std::floor(1000 * metres / double(step))) - 3; };
+        const auto up = [&](double metres) { return std::int64_t(std::ceil(1000 * metres / double(step))) + 3; };
+        const std::int64_t x0 = down(box.x), x1 = up(box.x + box.width);
+        const std::int64_t y0 = down(-box.y - box.height), y1 = up(-box.y);
+        SvgPath fine, coarse;
+        for (std::int64_t x = x0; x <= x1; ++x)
+            (x % 5 == 0 ? coarse : fine).segment({x * step, y0 * step}, {x * step, y1 * step});
+        for (std::int64_t y = y0; y <= y1; ++y)
+            (y % 5 == 0 ? coarse : fine).segment({x0 * step, y * step}, {x1 * step, y * step});
+        return path_tag("grid fine", fine) + path_tag("grid", coarse);
+    }
+
+    std::string titled_room(const char* tint, const std::string& id, const std::string& name, const std::string& kind,
+                            double area, const SvgPath& path) const {
+        std::string title = name.empty() ? "Unnamed room" : escaped(name);
+        title += ", " + area_text(area);
+        if (kind != "room" && !kind.empty()) title += ", " + escaped(kind);
+        return std::string("<path class=\"room t-") + tint + "\" data-el=\"" + escaped(id) + "\" d=\"" + path.text() +
+               "\"><title>" + title + "</title></path>\n";
+    }
+
+    /// Terraces and courtyards, which only the plan knows: for the building they are the exterior.
+    std::string outdoors() {
+        std::string text;
+        const plans::Storey* plan = view_.plan_storey(storey_);
+        if (!plan) return text;
+        for (const plans::Room& room : plan->rooms) {
+            if (room.kind != "terrace" && room.kind != "courtyard") continue;
+            std::vector<Mm> ring;
+            double twice = 0, x = 0, y = 0;
+            for (std::size_t k = 0; k < room.polygon.size(); ++k) {
+                const plans::Point a = room.polygon[k], b = room.polygon[(k + 1) % room.polygon.size()];
+                twice += (a.x - room.polygon[0].x) * (b.y - room.polygon[0].y) -
+                         (b.x - room.polygon[0].x) * (a.y - room.polygon[0].y);
+                x += a.x, y += a.y;
+                ring.push_back(view_.mm(a));
+            }
+            if (ring.size() < 3) continue;
+            SvgPath path;
+            path.ring(ring);
+            const double area = std::abs(twice) / 2, n = double(ring.size());
+            text += titled_room("out", room.id, room.name, room.kind, area, path);
+            names_.add({ring}, view_.mm(x / n, y / n), room.name, area);
+        }
+        return text;
+    }
+
+    std::string rooms() {
+        std::string text;
+        SvgPath thresholds;
+        for (const SpacePart& part : view_.parts(storey_)) {
+            const modeler::Space& space = view_.space(part.space);
+            if (space.label != Label::Room) {
+                if (space.label != Label::Wall) view_.add(part, thresholds);
+                continue;
+            }
+            SvgPath path;
+            view_.add(part, path);
+            const double area = modeler::area_m2(view_.building(), part);
+            text += titled_room(tint_of(space.kind), space.id, space.name, space.kind, area, path);
+            const auto [x, y] = modeler::label_point(view_.building(), part);
+            names_.add(view_.rings(part), view_.mm(x, y), space.name, area);
+        }
+        return path_tag("threshold", thresholds) + text;
+    }
+
+    std::string walls() const {
+        const WallOutlines outlines = wall_outlines(view_, storey_);
+        return path_tag("wall low", outlines.low) + path_tag("wall", outlines.cut) +
+               path_tag("wall column", outlines.columns);
+    }
+
+    std::string windows() const {
+        SvgPath frames, high;
+        for (const SpacePart& part : view_.parts(storey_)) {
+            if (view_.space(part.space).label != Label::Window) continue;
+            const bool is_cut = view_.is_cut(storey_, view_.building().volumes[part.volumes.front()]);
+            view_.add(part, is_cut ? frames : high);
+        }
+        return path_tag("window", frames) + path_tag("window high", high) +
+               path_tag("pane", window_paths(view_, storey_));
+    }
+
+    std::string doors() const {
+        const DoorPaths paths = door_paths(view_, passages_, storey_);
+        return path_tag("sill", paths.sills) + path_tag("passage", opening_paths(view_, storey_)) +
+               path_tag("swing", paths.swings) + path_tag("leaf", paths.leaves);
+    }
+
+    std::string stairs() const {
+        SvgPath footprints, shafts, wells;
+        for (const SpacePart& part : view_.parts(storey_)) {
+            const Label label = view_.space(part.space).label;
+            if (label == Label::Stair) view_.add(part, footprints);
+            if (label != Label::Shaft) continue;
+            view_.add(part, shafts);
+            const std::vector<Mm> ring = view_.ring(part.outer);
+            if (ring.size() == 4) shafts.segment(ring[0], ring[2]), shafts.segment(ring[1], ring[3]);
+        }
+        for (const SpacePart& part : view_.wells(storey_)) view_.add(part, wells);
+        const StairPaths paths = stair_paths(view_, storey_);
+        return path_tag("stair", footprints) + path_tag("shaft", shafts) + path_tag("well", wells) +
+               path_tag("tread", paths.treads) + path_tag("arrow", paths.arrows);
+    }
+
+    std::string marks(const std::set<std::string>& blamed) const {
+        std::map<std::uint32_t, SvgPath> outlines;
+        for (const SpacePart& part : view_.parts(storey_)) {
+            const modeler::Space& space = view_.space(part.space);
+            if (space.label != Label::Room && blamed.count(space.id)) view_.add(part, outlines[part.space]);
+        }
+        std::string text;
+        for (const auto& [space, path] : outlines)
+            text += "<path class=\"mark\" data-el=\"" + escaped(view_.space(space).id) + "\" d=\"" + path.text() +
+                    "\"/>\n";
+        return text;
+    }
+
+    static std::string cell_drawing(const CellPaths& cells) {
+        return layer("cells", path_tag("cell", cells.cells)) +
+               layer("portals", path_tag("portal clear", cells.clear) + path_tag("portal border", cells.border) +
+                                    path_tag("portal glass", cells.glass) + path_tag("portal shut", cells.leaves)) +
+               layer("graph", path_tag("link", cells.links) + path_tag("node", cells.nodes));
+    }
+
+    const PlanView& view_;
+    const Passages& passages_;
+    std::uint32_t storey_;
+    NameLayer names_;
+};
+
+}  // namespace
+
+std::string storey_drawing(const PlanView& view, const Passages& passages, std::uint32_t storey, const CellPaths* cells,
+                           const std::set<std::string>& blamed) {
+    return StoreyDrawer(view, passages, storey).run(cells, blamed);
+}
+
+DrawnBox drawn_box(const PlanView& view) {
+    MmBox box = view.box();
+    if (box.empty()) {
+        const modeler::Building& building = view.building();
+        box.add(view.mm(plans::GridPoint{building.site_min[0], building.site_min[1]}));
+        box.add(view.mm(plans::GridPoint{building.site_max[0], building.site_max[1]}));
+    }
+    const double margin = 0.8;
+    return {double(box.low.x) / 1000 - margin, -double(box.high.y) / 1000 - margin,
+            double(box.high.x - box.low.x) / 1000 + 2 * margin, double(box.high.y - box.low.y) / 1000 + 2 * margin};
+}
+
+std::string wall_ground(const PlanView& view, std::uint32_t storey) {
+    const WallOutlines outlines = wall_outlines(view, storey);
+    return "<g" + std::string(to_page) + ">" + path_tag("ground low", outlines.low) + path_tag("ground", outlines.cut) +
+           path_tag("ground", outlines.columns) + "</g>\n";
+}
+
+}  // namespace enfilade::tools
