@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "plans/floorspace/courtyards.h"
 #include "plans/floorspace/levels.h"
 #include "plans/floorspace/openings.h"
 #include "plans/limits.h"
@@ -52,6 +53,7 @@ private:
         }
         for (const FloorOutline& outline : spaces.outlines) add_room(story, outline, storey);
         report_spaces(story, spaces, walls, graph, storey);
+        add_courtyards(find_courtyards(story, spaces, graph, options_.wall_thickness), storey);
         place_openings(file_, story, graph, walls, level.wall_height, storey, report_);
         open_to_below(k, spaces);
         report_left_out(story, spaces, storey);
@@ -68,6 +70,23 @@ private:
         if (room.kind == "room") room.kind = room_kind(space.type_name);
         room.polygon = outline.corners;
         storey.rooms.push_back(std::move(room));
+    }
+
+    void add_courtyards(const std::vector<FloorCourtyard>& courtyards, Storey& storey) {
+        for (const FloorCourtyard& courtyard : courtyards) {
+            Room room;
+            room.id = ids_.take("courtyard-" + storey.id);
+            room.kind = "courtyard";
+            room.polygon = courtyard.corners;
+            Finding& finding =
+                report_.add("P768", Severity::Note, storey,
+                            "Spaces on storey " + called(storey) + " surround " + rounded_text(courtyard.area, 1) +
+                                " m2 that belong to none of them: it is a courtyard, open to the sky.",
+                            "Draw a space there if it is meant to be a room.");
+            finding.elements.push_back({"room", room.id, ""});
+            finding.point = std::array{courtyard.corners[0].x, courtyard.corners[0].y, storey.elevation};
+            storey.rooms.push_back(std::move(room));
+        }
     }
 
     void report_level(const FloorStory& story, const Storey& storey, const FloorLevel& level, bool has_next) {
@@ -104,16 +123,19 @@ private:
     void report_spaces(const FloorStory& story, const FloorSpaces& spaces, const FloorWalls& walls,
                        const FloorGraph& graph, const Storey& storey) {
         const std::string on_storey = " on storey " + called(storey);
-        if (!spaces.without_outline.empty()) {
+        const auto say_of = [&](const char* code, const std::vector<std::uint32_t>& which, const std::string& one_has,
+                                const std::string& more_have, const char* hint) {
+            if (which.empty()) return;
             std::vector<ElementRef> elements;
-            for (const std::uint32_t s : spaces.without_outline) elements.push_back(ref(story.spaces[s]));
-            Finding& finding = report_.add("P759", Severity::Warning, storey,
-                                           floor_count(elements.size(), "space", "spaces") + on_storey +
-                                               (elements.size() == 1 ? " has" : " have") + " no outline (" +
-                                               floor_names(elements) + "): there is nothing to build.",
-                                           "Draw or delete them in FloorspaceJS.");
-            finding.elements = std::move(elements);
-        }
+            for (const std::uint32_t s : which) elements.push_back(ref(story.spaces[s]));
+            const std::string sentence = floor_count(which.size(), "space", "spaces") + on_storey + " (" +
+                                         floor_names(elements) + ") " + (which.size() == 1 ? one_has : more_have);
+            report_.add(code, Severity::Warning, storey, sentence, hint).elements = std::move(elements);
+        };
+        say_of("P759", spaces.without_outline, "has no outline: there is nothing to build.",
+               "have no outline: there is nothing to build.", "Draw or delete them in FloorspaceJS.");
+        say_of("P761", spaces.doubled, "has the outline of an earlier space, which names the room.",
+               "have outlines of earlier spaces, which name the rooms.", "Delete them in FloorspaceJS.");
         for (const std::uint32_t s : spaces.broken)
             report_
                 .add("P760", Severity::Error, storey,
@@ -131,7 +153,7 @@ private:
             finding.elements = {ref(one_space), ref(other)};
         }
         report_thin(story, spaces, walls, storey);
-        report_edges(graph, storey);
+        report_edges(spaces, graph, storey);
     }
 
     void report_thin(const FloorStory& story, const FloorSpaces& spaces, const FloorWalls& walls,
@@ -159,7 +181,7 @@ private:
         finding.elements = std::move(elements);
     }
 
-    void report_edges(const FloorGraph& graph, const Storey& storey) {
+    void report_edges(const FloorSpaces& spaces, const FloorGraph& graph, const Storey& storey) {
         std::string what;
         const auto count = [&](std::size_t n, const char* one_edge, const char* more) {
             if (n > 0) what += (what.empty() ? "" : ", ") + floor_count(n, one_edge, more);
@@ -168,6 +190,7 @@ private:
         count(graph.doubled_edges, "edge drawn twice", "edges drawn twice");
         count(graph.touched_edges, "edge on which others end", "edges on which others end");
         count(graph.crossed_edges, "crossing", "crossings");
+        count(spaces.inner_edges, "slit", "slits");
         if (what.empty()) return;
         Finding& finding = report_.add(
             "P762", Severity::Note, storey,

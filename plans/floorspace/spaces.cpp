@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <utility>
 
 #include "plans/box_index.h"
 #include "plans/vector2.h"
@@ -48,8 +48,25 @@ std::optional<FloorOutline> outline_of(const FloorStory& story, const FloorRing&
     return outline;
 }
 
-/// Even-odd.
-bool inside(Point p, const std::vector<Point>& ring) {
+/// Another outline over the place just inside of an outline's piece; none: no_floor_item.
+std::uint32_t other_beside(const FloorGraph& graph, const FloorPiece& piece, std::uint32_t outline,
+                           const FloorSpaces& spaces, const BoxIndex& index) {
+    const Point a = graph.nodes[piece.a];
+    const Point b = graph.nodes[piece.b];
+    const Point aside = turned_left(b - a) * (2 * floor_tolerance / distance(a, b));
+    Point beside = (a + b) * 0.5 + aside;
+    if (!within(beside, spaces.outlines[outline])) beside = beside - aside * 2;
+    std::uint32_t found = no_floor_item;
+    index.near(beside, [&](std::uint32_t other) {
+        if (found == no_floor_item && other != outline && within(beside, spaces.outlines[other])) found = other;
+    });
+    return found;
+}
+
+}  // namespace
+
+bool within(Point p, const FloorOutline& outline) {
+    const std::vector<Point>& ring = outline.corners;
     bool in = false;
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const Point a = ring[k];
@@ -58,23 +75,6 @@ bool inside(Point p, const std::vector<Point>& ring) {
     }
     return in;
 }
-
-/// Another outline over the place just inside of an outline's piece; none: no_floor_item.
-std::uint32_t other_beside(const FloorGraph& graph, const FloorPiece& piece, std::uint32_t outline,
-                           const FloorSpaces& spaces, const BoxIndex& index) {
-    const Point a = graph.nodes[piece.a];
-    const Point b = graph.nodes[piece.b];
-    const Point aside = turned_left(b - a) * (2 * floor_tolerance / distance(a, b));
-    Point within = (a + b) * 0.5 + aside;
-    if (!inside(within, spaces.outlines[outline].corners)) within = within - aside * 2;
-    std::uint32_t found = no_floor_item;
-    index.near(within, [&](std::uint32_t other) {
-        if (found == no_floor_item && other != outline && inside(within, spaces.outlines[other].corners)) found = other;
-    });
-    return found;
-}
-
-}  // namespace
 
 FloorRing ring_of(const FloorStory& story, const FloorFace& face) {
     FloorRing ring;
@@ -101,6 +101,7 @@ FloorSpaces find_spaces(const FloorStory& story) {
     FloorSpaces spaces;
     spaces.edge_used.assign(story.edges.size(), false);
     std::vector<bool> edge_of_face(story.edges.size(), false);
+    std::vector<std::uint32_t> uses(story.edges.size(), 0);
     std::vector<bool> face_used(story.faces.size(), false);
     for (std::uint32_t s = 0; s < story.spaces.size(); ++s) {
         const std::uint32_t f = story.spaces[s].face;
@@ -109,13 +110,29 @@ FloorSpaces find_spaces(const FloorStory& story) {
             continue;
         }
         const FloorFace& face = story.faces[f];
-        face_used[f] = true;
-        for (const FloorSide side : face.sides) spaces.edge_used[side.edge] = true;
+        if (std::exchange(face_used[f], true)) {
+            spaces.doubled.push_back(s);
+            continue;
+        }
+        for (const FloorSide side : face.sides) ++uses[side.edge];
         const FloorRing ring = ring_of(story, face);
         if (ring.broken) spaces.broken.push_back(s);
         else if (auto outline = outline_of(story, ring, s)) spaces.outlines.push_back(std::move(*outline));
         else spaces.without_outline.push_back(s);
     }
+    // A face that goes along an edge twice lies on both sides of it: that is how it goes around an island.
+    std::vector<std::uint32_t> own(story.edges.size(), 0);
+    for (std::size_t f = 0; f < story.faces.size(); ++f) {
+        if (!face_used[f]) continue;
+        for (const FloorSide side : story.faces[f].sides) ++own[side.edge];
+        for (const FloorSide side : story.faces[f].sides) {
+            const bool slit = own[side.edge] == 2 && uses[side.edge] == 2;
+            spaces.edge_used[side.edge] = !slit;
+        }
+        for (const FloorSide side : story.faces[f].sides) own[side.edge] = 0;
+    }
+    for (std::size_t e = 0; e < uses.size(); ++e)
+        if (uses[e] > 0 && !spaces.edge_used[e]) ++spaces.inner_edges;
     for (const std::uint32_t f : story.shading_faces) face_used[f] = true;
     for (std::size_t f = 0; f < story.faces.size(); ++f) {
         if (!face_used[f] && !story.faces[f].sides.empty()) ++spaces.idle_faces;

@@ -23,11 +23,16 @@ struct FloorOutline {
     double perimeter = 0;
 };
 
+/// Does the point lie in the outline (even-odd)?
+[[nodiscard]] bool within(Point p, const FloorOutline& outline);
+
 struct FloorSpaces {
     std::vector<FloorOutline> outlines;
     std::vector<std::uint32_t> without_outline;  ///< spaces
+    std::vector<std::uint32_t> doubled;          ///< spaces whose face an earlier one has
     std::vector<std::uint32_t> broken;           ///< spaces whose edges form no loop
-    std::vector<bool> edge_used;                 ///< [FloorStory::edges] by some space
+    std::vector<bool> edge_used;                 ///< [FloorStory::edges] some space borders on it
+    std::size_t inner_edges = 0;                 ///< that one space alone has on both sides: a slit, no wall
     std::size_t idle_faces = 0;                  ///< of no space and no shading
     std::size_t idle_edges = 0;                  ///< of no face
 };
