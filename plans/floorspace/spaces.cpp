@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "plans/box_index.h"
 #include "plans/vector2.h"
@@ -110,10 +109,11 @@ FloorSpaces find_spaces(const FloorStory& story) {
             continue;
         }
         const FloorFace& face = story.faces[f];
-        if (std::exchange(face_used[f], true)) {
+        if (face_used[f]) {
             spaces.doubled.push_back(s);
             continue;
         }
+        face_used[f] = true;
         for (const FloorSide side : face.sides) ++uses[side.edge];
         const FloorRing ring = ring_of(story, face);
         if (ring.broken) spaces.broken.push_back(s);
