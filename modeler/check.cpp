@@ -21,11 +21,15 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     CheckReport report;
     const plans::Plan plan = building.plan_json.empty() ? plans::Plan{} : plans::read_json(building.plan_json, "");
     const MapFaces faces(building);
-    const Subject subject{building, plan, options, faces};
+    const FaceRings rings(building.map, building.vertices);
+    const Subject subject{building, plan, options, faces, rings};
     Blame blame{std::vector<bool>(building.volumes.size(), false), std::vector<bool>(building.faces.size(), false),
                 std::vector<bool>(building.vertices.size(), false), std::vector<bool>(building.spaces.size(), false)};
     check_topology(building, blame, report);
     check_storeys(subject, blame, report);
+    check_vertices(subject, blame, report);
+    check_rings(subject, blame, report);
+    check_planarity(subject, blame, report);
     check_partition(building, blame, report);
     if (building.convex) check_convexity(building, blame, report);
     check_portals(building, blame, report);

@@ -57,6 +57,10 @@ void place_at_face(const Building& building, std::uint32_t face, Finding& findin
     place_at_volume(building, f.back, finding);
 }
 
+void place_at_space(const Building& building, std::uint32_t space, Finding& finding) {
+    if (space < building.spaces.size()) add_element(building, space, finding);
+}
+
 void place_at_vertex(const Building& building, std::uint32_t vertex, Finding& finding) {
     if (finding.point || vertex >= building.vertices.size()) return;
     const auto& v = building.vertices[vertex];

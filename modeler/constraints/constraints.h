@@ -7,6 +7,7 @@
 
 #include "modeler/building.h"
 #include "modeler/check.h"
+#include "modeler/constraints/face_rings.h"
 #include "modeler/constraints/map_faces.h"
 #include "plans/plan.h"
 
@@ -28,7 +29,8 @@ struct Subject {
     const Building& building;
     const plans::Plan& plan;
     const CheckOptions& options;
-    const MapFaces& faces;  ///< of the building's map
+    const MapFaces& faces;   ///< of the building's map
+    const FaceRings& rings;  ///< of the building's map, with its vertices
 };
 
 /// T1-T7: closed, oriented quasi-manifold of balls; by `gmap::validate` and the defects of the map's builder.

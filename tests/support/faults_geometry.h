@@ -1,0 +1,22 @@
+#pragma once
+// Faults of G1-G9, put into a sound building: each breaks one constraint and no other. Where the building offers no
+// place for the fault they change nothing and return nothing.
+
+#include <optional>
+
+#include "modeler/building.h"
+#include "plans/random.h"
+#include "tests/support/injected_fault.h"
+
+namespace enfilade::testing {
+
+/// A vertex is moved onto another one.
+std::optional<InjectedFault> inject_g1(modeler::Building& building, plans::Random& random);
+
+/// A corner of a level face is pulled across one of its other sides.
+std::optional<InjectedFault> inject_g2(modeler::Building& building, plans::Random& random);
+
+/// A vertex is moved by a unit of the grid up to centimetres, so that a face is bent.
+std::optional<InjectedFault> inject_g3(modeler::Building& building, plans::Random& random);
+
+}  // namespace enfilade::testing
