@@ -10,8 +10,7 @@
 namespace enfilade::plans {
 namespace {
 
-/// Whether the name matches, `*` standing for any characters and `?` for one (of UTF-8). Linear in the name for each
-/// star, however many there are.
+/// Whether the name matches, `*` standing for any characters and `?` for one (of UTF-8).
 bool matches(std::string_view pattern, std::string_view name) {
     const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; };
     std::size_t p = 0;
