@@ -206,7 +206,7 @@ private:
             if (!space.open_to_below) continue;
             if (k == 0) {
                 report_
-                    .add("P768", Severity::Warning, plan_.storeys[k],
+                    .add("P757", Severity::Warning, plan_.storeys[k],
                          "Space " + called(space) + " on storey " + called(plan_.storeys[k]) +
                              " is open to below, but there is no storey below it: it gets a floor.",
                          "")
