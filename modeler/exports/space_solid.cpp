@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
+#include "modeler/exports/components.h"
+#include "modeler/exports/level_faces.h"
 #include "modeler/exports/part_sides.h"
 #include "modeler/exports/ring_trace.h"
 #include "modeler/outline.h"
@@ -14,23 +15,6 @@ namespace enfilade::modeler {
 namespace {
 
 using Node = std::array<std::int64_t, 2>;
-
-/// Sets that grow together.
-class Components {
-public:
-    explicit Components(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
-    std::uint32_t root(std::uint32_t k) {
-        while (root_[k] != k) k = root_[k] = root_[root_[k]];
-        return k;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a), b = root(b);
-        root_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> root_;
-};
 
 /// A piece of a side: what stands over one strip between two levels.
 struct SideTile {
@@ -43,16 +27,7 @@ struct SideTile {
 
 class Builder {
 public:
-    explicit Builder(const Building& building) : building_(building), sides_(building) {
-        for (std::uint32_t f = 0; f < building.faces.size(); ++f) {
-            const Face& face = building.faces[f];
-            if (face.direction != Direction::Up) continue;
-            below_.push_back({face.front, face.back});
-            above_.push_back({face.back, face.front});
-        }
-        std::sort(below_.begin(), below_.end());
-        std::sort(above_.begin(), above_.end());
-    }
+    explicit Builder(const Building& building) : building_(building), sides_(building), levels_(building) {}
 
     SpaceSolids run(const std::vector<Label>& labels) {
         result_.parts = space_parts(building_);
@@ -65,9 +40,10 @@ public:
     }
 
 private:
-    std::uint32_t light_space(std::uint32_t volume) const {
+    /// The space of a volume that is no part of the building's body: light or earth.
+    std::uint32_t open_space(std::uint32_t volume) const {
         const Volume& v = building_.volumes[volume];
-        return accel::carries_light(v.label) ? v.space : SolidFace::solid;
+        return accel::carries_light(v.label) || v.label == Label::Ground ? v.space : SolidFace::solid;
     }
 
     void add(std::uint32_t p) {
@@ -87,37 +63,23 @@ private:
         return at->second;
     }
 
-    /// What is behind the floor or ceiling of a volume: the space of the light, or solid.
-    std::pair<std::uint32_t, std::uint32_t> behind_level(std::uint32_t volume, bool is_floor) const {
-        const auto& list = is_floor ? below_ : above_;
-        const auto at = std::lower_bound(list.begin(), list.end(), std::pair(volume, 0u));
-        if (at == list.end() || at->first != volume) return {SolidFace::solid, 0};
-        return {light_space(at->second), building_.volumes[at->second].space};
-    }
-
     void add_level(const SpacePart& part, SolidFaceKind kind, SpaceSolid& solid) {
         const bool is_floor = kind == SolidFaceKind::Floor;
         const std::int32_t z = is_floor ? part.z_low : part.z_high;
-        std::map<std::uint32_t, std::pair<std::uint32_t, std::vector<std::uint32_t>>> groups;
-        for (const std::uint32_t v : part.volumes) {
-            const auto [behind, material] = behind_level(v, is_floor);
-            groups.try_emplace(behind, material, std::vector<std::uint32_t>{}).first->second.second.push_back(v);
-        }
-        for (const auto& [behind, group] : groups) {
-            if (groups.size() == 1) {
-                const auto points = [&](const HalfEdgeRing& ring) {
-                    std::vector<std::uint32_t> found;
-                    for (const std::uint32_t h : ring) found.push_back(start_of(building_, h));
-                    return found;
-                };
-                RegionRings rings{points(part.outer), {}};
-                for (const HalfEdgeRing& hole : part.holes) rings.holes.push_back(points(hole));
-                add_level_face(rings, kind, z, behind, group.first, solid);
-            } else {
-                for (const RegionRings& rings : outlines(group.second))
-                    add_level_face(rings, kind, z, behind, group.first, solid);
+        struct Group {
+            std::uint32_t material = 0;
+            std::vector<std::uint32_t> faces;
+        };
+        std::map<std::uint32_t, Group> groups;
+        for (const std::uint32_t v : part.volumes)
+            for (const LevelFace& face : is_floor ? levels_.floors(v) : levels_.ceilings(v)) {
+                Group& group = groups[open_space(face.behind)];
+                if (group.faces.empty()) group.material = building_.volumes[face.behind].space;
+                group.faces.push_back(face.face);
             }
-        }
+        for (const auto& [behind, group] : groups)
+            for (const RegionRings& rings : levels_.outlines(group.faces))
+                add_level_face(rings, kind, z, behind, group.material, solid);
     }
 
     void add_level_face(const RegionRings& rings, SolidFaceKind kind, std::int32_t z, std::uint32_t behind,
@@ -131,28 +93,6 @@ private:
         SolidFace face{kind, behind, material, lift(rings.outer), {}};
         for (const auto& hole : rings.holes) face.holes.push_back(lift(hole));
         solid.faces.push_back(std::move(face));
-    }
-
-    /// The outlines of the pieces of some volumes, one for each set that hangs together; nodes are points.
-    std::vector<RegionRings> outlines(const std::vector<std::uint32_t>& volumes) {
-        std::unordered_map<std::uint32_t, std::uint32_t> owner;  // half-edge -> place in `volumes`
-        Components components(volumes.size());
-        for (std::uint32_t k = 0; k < volumes.size(); ++k) {
-            const Piece& piece = building_.pieces[building_.volumes[volumes[k]].piece];
-            for (std::uint32_t c = 0; c < piece.corner_count; ++c) {
-                const std::uint32_t h = building_.corners[piece.first_corner + c].half_edge;
-                owner.emplace(h, k);
-                if (const auto twin = owner.find(h ^ 1); twin != owner.end()) components.join(k, twin->second);
-            }
-        }
-        std::map<std::uint32_t, std::vector<BorderSegment>> borders;
-        for (const auto& [h, k] : owner)
-            borders[components.root(k)].push_back({start_of(building_, h), start_of(building_, h ^ 1)});
-        if (nodes_.empty())
-            for (const plans::GridPoint& p : building_.points) nodes_.push_back({p.x, p.y});
-        std::vector<RegionRings> result;
-        for (auto& [root, border] : borders) result.push_back(trace_rings(std::move(border), nodes_));
-        return result;
     }
 
     void add_ring(const RingSides& ring, SpaceSolid& solid) {
@@ -229,7 +169,7 @@ private:
         std::vector<SideTile> tiles;
         for (std::uint32_t c = 0; c < strips.size(); ++c)
             for (const SideInterval& interval : strips[c].intervals) {
-                const std::uint32_t behind = light_space(interval.behind);
+                const std::uint32_t behind = open_space(interval.behind);
                 const bool goes_on = !tiles.empty() && tiles.back().column == c && tiles.back().behind == behind;
                 if (goes_on) tiles.back().z_high = interval.z_high;
                 else
@@ -307,9 +247,7 @@ private:
 
     const Building& building_;
     PartSides sides_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> below_;  ///< volume and what is under it, sorted
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> above_;
-    std::vector<Node> nodes_;  ///< the points, when first needed
+    LevelFaces levels_;
     std::unordered_map<std::uint64_t, std::uint32_t> vertex_ids_;
     SpaceSolids result_;
 };

@@ -35,11 +35,11 @@ struct SpaceSolids {
     std::vector<SpaceSolid> solids;                     ///< those asked for, by part
 };
 
-/// Floors and ceilings are one face (one for each space with light behind it), sides one face for each straight stretch
-/// of solid, with windows as holes and doors as notches, and one for each opening. Points on which all edges of a solid
-/// go exactly straight on are left out: geometry is exactly that of the volumes. Sides are flat to within the rounding
-/// of the grid. `labels`: the spaces that are wanted. Throws InputError (F22) where a border does not close.
-/// Cost: linear, times the log of the border of one part.
+/// Floors and ceilings are one face (one for each space with light, or ground, behind it), sides one face for each
+/// straight stretch of solid, with windows as holes and doors as notches, and one for each opening. Points on which all
+/// edges of a solid go exactly straight on are left out: geometry is exactly that of the volumes. Sides are flat to
+/// within the rounding of the grid. `labels`: the spaces that are wanted. Throws InputError (F22) where a border does
+/// not close. Cost: linear, times the log of the border of one part.
 [[nodiscard]] SpaceSolids space_solids(const Building& building, const std::vector<Label>& labels);
 
 }  // namespace enfilade::modeler
