@@ -23,10 +23,10 @@ struct LayerName {
     bool on;
 };
 constexpr LayerName layer_names[] = {
-    {"rooms", "Rooms", true},          {"names", "Names, areas", true}, {"walls", "Walls, columns", true},
-    {"doors", "Doors", true},          {"windows", "Windows", true},    {"stairs", "Stairs, shafts", true},
+    {"rooms", "Rooms", true},         {"names", "Names, areas", true},  {"walls", "Walls, columns", true},
+    {"doors", "Doors", true},         {"windows", "Windows", true},     {"stairs", "Stairs, shafts", true},
     {"furniture", "Furniture", true}, {"cells", "Convex cells", false}, {"portals", "Portals", false},
-    {"graph", "Cell graph", false},    {"grid", "Grid", true},          {"pins", "Pins", true}};
+    {"graph", "Cell graph", false},   {"grid", "Grid", true},           {"pins", "Pins", true}};
 
 bool is_of_cells(const LayerName& layer) {
     const std::string_view id = layer.id;
@@ -51,8 +51,8 @@ std::string scale_bar(const DrawnBox& box) {
 }
 
 std::string svg_open(const char* classes, const std::string& id, const std::string& label, const DrawnBox& box) {
-    const std::string view = decimal(box.x, 3) + " " + decimal(box.y, 3) + " " + decimal(box.width, 3) + " " +
-                             decimal(box.height, 3);
+    const std::string view =
+        decimal(box.x, 3) + " " + decimal(box.y, 3) + " " + decimal(box.width, 3) + " " + decimal(box.height, 3);
     return std::string("<svg class=\"drawing ") + classes + "\" id=\"" + id + "\" viewBox=\"" + view +
            "\" data-box=\"" + view + "\" style=\"--k:" + decimal(std::max(box.width, box.height) / 900, 4) +
            "\" tabindex=\"0\" role=\"group\" aria-label=\"" + label +
@@ -136,8 +136,9 @@ private:
         }
         if (cells_left_out_) text += "<p>Cells and portals are left out: there are too many to draw.</p>";
         else
-            text += "<p class=\"legend\"><span class=\"key clear\"></span>clear <span class=\"key border\"></span>open "
-                    "border <span class=\"key glass\"></span>glass <span class=\"key shut\"></span>shut door</p>";
+            text +=
+                "<p class=\"legend\"><span class=\"key clear\"></span>clear <span class=\"key border\"></span>open "
+                "border <span class=\"key glass\"></span>glass <span class=\"key shut\"></span>shut door</p>";
         return text + "</div></details>\n";
     }
 
@@ -154,8 +155,8 @@ private:
         }
         const std::set<std::string> blamed = blamed_elements(report_);
         const DrawnBox box = drawn_box(*view_);
-        std::string text = "<div class=\"stage\" data-view=\"plan\">\n<div class=\"bar\">" + tabs("plan") + layer_menu() +
-                           zoom_buttons() + "</div>\n<div class=\"sheets\">\n";
+        std::string text = "<div class=\"stage\" data-view=\"plan\">\n<div class=\"bar\">" + tabs("plan") +
+                           layer_menu() + zoom_buttons() + "</div>\n<div class=\"sheets\">\n";
         for (std::uint32_t k = 0; k < view_->storey_count(); ++k) {
             const std::string number = std::to_string(k), title = title_of(building_->storeys[k]);
             text += "<figure class=\"sheet\" data-storey=\"" + number + "\"><figcaption><bdi>" + title +
@@ -168,9 +169,10 @@ private:
     }
 
     [[nodiscard]] std::string panel() const {
-        std::string text = "<aside class=\"panel\" aria-label=\"Findings\">\n<div class=\"filters\">"
-                           "<input type=\"search\" id=\"search\" placeholder=\"Search findings\" aria-label=\"Search "
-                           "findings\" autocomplete=\"off\">\n<div class=\"row\">";
+        std::string text =
+            "<aside class=\"panel\" aria-label=\"Findings\">\n<div class=\"filters\">"
+            "<input type=\"search\" id=\"search\" placeholder=\"Search findings\" aria-label=\"Search "
+            "findings\" autocomplete=\"off\">\n<div class=\"row\">";
         for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note}) {
             std::size_t count = 0;
             for (const Finding& finding : report_.findings) count += finding.severity == severity;
@@ -179,14 +181,16 @@ private:
                     "\" checked" + (count == 0 ? " disabled" : "") + "><span>" + counted(count, name) +
                     "</span></label>";
         }
-        text += "</div>\n<div class=\"row\"><select id=\"code\" aria-label=\"Code\"><option value=\"\">All "
-                "codes</option>";
+        text +=
+            "</div>\n<div class=\"row\"><select id=\"code\" aria-label=\"Code\"><option value=\"\">All "
+            "codes</option>";
         std::set<std::string> codes;
         for (const Finding& finding : report_.findings) codes.insert(finding.code);
         for (const std::string& code : codes) text += "<option>" + escaped(code) + "</option>";
-        text += "</select><select id=\"sort\" aria-label=\"Sort\"><option value=\"n\">By severity</option><option "
-                "value=\"code\">By code</option><option value=\"storey\">By storey</option></select></div>\n"
-                "<p class=\"shown\" id=\"shown\" role=\"status\"></p></div>\n<ol class=\"findings\" id=\"findings\">\n";
+        text +=
+            "</select><select id=\"sort\" aria-label=\"Sort\"><option value=\"n\">By severity</option><option "
+            "value=\"code\">By code</option><option value=\"storey\">By storey</option></select></div>\n"
+            "<p class=\"shown\" id=\"shown\" role=\"status\"></p></div>\n<ol class=\"findings\" id=\"findings\">\n";
         text += finding_list(findings_, view());
         if (findings_.empty()) text += "<li class=\"none\">Nothing was found.</li>\n";
         return text + "</ol></aside>\n";
@@ -201,19 +205,21 @@ private:
         const DrawnBox box = drawn_box(*view_);
         std::string text =
             "<section class=\"graphs\" aria-labelledby=\"graph-title\">\n<h2 id=\"graph-title\">Rooms and what joins "
-            "them</h2>\n<p class=\"lead\">Each number says how many doors, openings and open borders lie between a room "
+            "them</h2>\n<p class=\"lead\">Each number says how many doors, openings and open borders lie between a "
+            "room "
             "and the outside.</p>\n<div class=\"stage\" data-view=\"graph\"><div class=\"bar\">" +
             tabs("graph") + zoom_buttons() + "</div>\n<div class=\"sheets\">\n";
         for (std::uint32_t k = 0; k < view_->storey_count(); ++k) {
             const std::string number = std::to_string(k), title = title_of(building_->storeys[k]);
-            text += "<figure class=\"sheet\" data-storey=\"" + number + "\"><figcaption><bdi>" + title + "</bdi>: " +
-                    room_graph_caption(*view_, passages_, k) + "</figcaption>\n" +
+            text += "<figure class=\"sheet\" data-storey=\"" + number + "\"><figcaption><bdi>" + title +
+                    "</bdi>: " + room_graph_caption(*view_, passages_, k) + "</figcaption>\n" +
                     svg_open("graph", "graph-" + number, "Graph of " + title, box) + room_graph(*view_, passages_, k) +
                     "</svg></figure>\n";
         }
-        return text + "</div></div>\n<p class=\"legend\"><span class=\"key g-door\"></span>door <span class=\"key "
-                      "g-opening\"></span>opening <span class=\"key g-border\"></span>open border <span class=\"key "
-                      "g-low\"></span>over a low wall <span class=\"key g-stair\"></span>stair or shaft</p></section>\n";
+        return text +
+               "</div></div>\n<p class=\"legend\"><span class=\"key g-door\"></span>door <span class=\"key "
+               "g-opening\"></span>opening <span class=\"key g-border\"></span>open border <span class=\"key "
+               "g-low\"></span>over a low wall <span class=\"key g-stair\"></span>stair or shaft</p></section>\n";
     }
 
     [[nodiscard]] std::string code_section() const {

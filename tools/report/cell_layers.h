@@ -6,13 +6,13 @@
 namespace enfilade::tools {
 
 struct CellPaths {
-    SvgPath cells;     ///< borders
-    SvgPath clear;     ///< portals by kind
-    SvgPath border;    ///< virtual ones
+    SvgPath cells;   ///< borders
+    SvgPath clear;   ///< portals by kind
+    SvgPath border;  ///< virtual ones
     SvgPath glass;
-    SvgPath leaves;    ///< shut doors
-    SvgPath nodes;     ///< dots in the cells' middles
-    SvgPath links;     ///< from middle to middle through each portal
+    SvgPath leaves;  ///< shut doors
+    SvgPath nodes;   ///< dots in the cells' middles
+    SvgPath links;   ///< from middle to middle through each portal
     [[nodiscard]] std::size_t size() const;
 };
 

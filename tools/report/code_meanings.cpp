@@ -37,7 +37,8 @@ std::string plain(std::string_view text) {
         if (text[k] == '`' || text[k] == '*') continue;
         if (text[k] == '[') continue;
         if (text[k] == ']') {
-            const std::size_t close = k + 1 < text.size() && text[k + 1] == '(' ? text.find(')', k) : std::string_view::npos;
+            const std::size_t close =
+                k + 1 < text.size() && text[k + 1] == '(' ? text.find(')', k) : std::string_view::npos;
             if (close != std::string_view::npos) k = close;
             continue;
         }

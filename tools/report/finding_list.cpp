@@ -50,8 +50,9 @@ std::string entry(const PlacedFinding& placed, const PlanView* view) {
     const std::string severity = name_of(finding.severity), number = std::to_string(placed.number);
     std::string text = "<li class=\"finding " + severity + "\" id=\"finding-" + number + "\" data-n=\"" + number +
                        "\"><button type=\"button\" class=\"pick\" tabindex=\"-1\"><span class=\"num\">" + number +
-                       "</span><span class=\"body\"><span class=\"sentence\" dir=\"auto\">" + escaped(finding.sentence) +
-                       "</span><span class=\"place\">" + place_html(placed, view) + "</span></span></button>";
+                       "</span><span class=\"body\"><span class=\"sentence\" dir=\"auto\">" +
+                       escaped(finding.sentence) + "</span><span class=\"place\">" + place_html(placed, view) +
+                       "</span></span></button>";
     text += "<div class=\"more\"><a class=\"code\" href=\"#code-" + escaped(finding.code) + "\" title=\"" +
             escaped(meaning_of(finding.code)) + "\">" + escaped(finding.code) + "</a>";
     for (const ElementRef& element : finding.elements) {

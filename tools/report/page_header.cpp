@@ -89,8 +89,7 @@ std::string certificate_html(const std::string& certificate) {
     if (certificate.empty()) return "";
     const char* meaning = "The model behind the file is another one than what rays are traced in.";
     const char* classes = "bad";
-    if (certificate == "certified")
-        meaning = "What was checked is what is traced, array by array.", classes = "good";
+    if (certificate == "certified") meaning = "What was checked is what is traced, array by array.", classes = "good";
     else if (certificate.starts_with("uncertified"))
         meaning = "The file holds no model, so nothing in it can be checked.", classes = "unknown";
     return std::string("<p class=\"certificate ") + classes + "\"><strong>" + escaped(certificate) + "</strong> " +

@@ -85,6 +85,8 @@ void add_leaf(const PlanView& view, Point hinge, Point closed, double angle, boo
     const Point arm = closed - hinge;
     const Point end = hinge + arm * std::cos(turn) + plans::turned_left(arm) * std::sin(turn);
     paths.leaves.segment(view.mm(hinge), view.mm(end));
+    MmBox& swept = paths.swept.emplace_back();
+    for (const Point p : {hinge, closed, end}) swept.add(view.mm(p));
     if (angle < 0.05) return;
     paths.swings.move(view.mm(closed));
     paths.swings.arc(std::llround(1000 * plans::norm(arm)), turns_left, view.mm(end));

@@ -9,8 +9,9 @@ namespace enfilade::tools {
 
 struct DoorPaths {
     SvgPath leaves;
-    SvgPath swings;  ///< the quarter circles
-    SvgPath sills;   ///< lines across the hole on both faces of the wall
+    SvgPath swings;            ///< the quarter circles
+    SvgPath sills;             ///< lines across the hole on both faces of the wall
+    std::vector<MmBox> swept;  ///< around each leaf and its swing
 };
 
 /// Where the plan does not say which way a door opens, it opens away from corridors and from outdoors, into the

@@ -12,11 +12,6 @@ namespace enfilade::tools {
 using modeler::Label;
 using modeler::SpacePart;
 
-void MmBox::add(Mm at) {
-    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-}
-
 PlanView::PlanView(const modeler::Building& building)
     : building_(building), parts_(building.storeys.size()), wells_(building.storeys.size()) {
     origin_ = {std::floor(building.frame.world_x(building.site_min[0])),

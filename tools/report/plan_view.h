@@ -13,14 +13,6 @@
 
 namespace enfilade::tools {
 
-/// A rectangle in millimetres.
-struct MmBox {
-    Mm low = {INT64_MAX, INT64_MAX};
-    Mm high = {INT64_MIN, INT64_MIN};
-    void add(Mm at);
-    [[nodiscard]] bool empty() const { return low.x > high.x; }
-};
-
 class PlanView {
 public:
     /// Throws InputError where the building's pieces do not close (a damaged model).

@@ -62,18 +62,17 @@ private:
         const modeler::Space& s = view_.space(space);
         const double radius = std::clamp(0.14 + 0.045 * std::sqrt(std::max(0.0, s.area_m2)), 0.2, 0.6);
         const std::uint32_t depth = passages_.depth[space];
-        nodes_ += "<g class=\"gnode " + depth_class(depth) + (s.label == Label::Room ? "" : " way") +
-                  "\" data-el=\"" + escaped(s.id) + "\" transform=\"translate(" + coordinate(at.x) + " " +
-                  coordinate(-at.y) + ")\"><title>" + title(space) + "</title><circle r=\"" + decimal(radius, 2) +
-                  "\"/><text y=\"" + decimal(0.36 * radius, 2) + "\" style=\"--size:" + decimal(radius, 2) + "px\">" +
+        nodes_ += "<g class=\"gnode " + depth_class(depth) + (s.label == Label::Room ? "" : " way") + "\" data-el=\"" +
+                  escaped(s.id) + "\" transform=\"translate(" + coordinate(at.x) + " " + coordinate(-at.y) +
+                  ")\"><title>" + title(space) + "</title><circle r=\"" + decimal(radius, 2) + "\"/><text y=\"" +
+                  decimal(0.36 * radius, 2) + "\" style=\"--size:" + decimal(radius, 2) + "px\">" +
                   (depth == unreachable ? "?" : std::to_string(depth)) + "</text></g>\n";
     }
 
     /// What has no place of its own: the outside before a door, the inside of a deep hole.
     void add_dot(const char* classes, const std::string& title, Mm at) {
         nodes_ += std::string("<g class=\"gdot ") + classes + "\" transform=\"translate(" + coordinate(at.x) + " " +
-                  coordinate(-at.y) + ")\"><title>" + title +
-                  "</title><path d=\"m-.16-.16h.32v.32h-.32z\"/></g>\n";
+                  coordinate(-at.y) + ")\"><title>" + title + "</title><path d=\"m-.16-.16h.32v.32h-.32z\"/></g>\n";
     }
 
     void add_path(const char* kind, const std::string& title, std::initializer_list<Mm> points) {
@@ -121,9 +120,9 @@ private:
         const Mm at = arrives ? passage.at_to : passage.at_from;
         const std::uint32_t other = arrives ? storey_ - 1 : storey_ + 1;
         const modeler::StoreyInfo& storey = view_.building().storeys[other];
-        const std::string title = escaped((arrives ? "Down to " : "Up to ") +
-                                          (storey.name.empty() ? storey.id : storey.name) + ": " +
-                                          tools::name_of(view_.space(there)));
+        const std::string title =
+            escaped((arrives ? "Down to " : "Up to ") + (storey.name.empty() ? storey.id : storey.name) + ": " +
+                    tools::name_of(view_.space(there)));
         const Mm beside = {at.x, at.y + 550};
         add_path("stair", title, {place->second, beside});
         nodes_ += "<g class=\"gstair\" transform=\"translate(" + coordinate(beside.x) + " " + coordinate(-beside.y) +
@@ -162,8 +161,8 @@ std::string room_graph_caption(const PlanView& view, const Passages& passages, s
         }
         if (++lost_count <= 8) lost += (lost_count == 1 ? "" : ", ") + escaped(name_of(view.space(room)));
     }
-    std::string text = counted(rooms.size(), "room") + ", " + counted(links, "link") + "; " +
-                       counted(deepest, "door") + " from outside at most.";
+    std::string text = counted(rooms.size(), "room") + ", " + counted(links, "link") + "; " + counted(deepest, "door") +
+                       " from outside at most.";
     if (lost_count > 0)
         text += " <strong>No way leads to</strong> " + lost +
                 (lost_count > 8 ? " and " + counted(lost_count - 8, "more room") : "") + ".";

@@ -7,8 +7,8 @@
 
 namespace enfilade::tools {
 
-/// The inside of an `<svg>` for one storey, over `drawn_box`: the walls in pale, a node for each room with the number of
-/// doors between it and the outside, a link through each door, opening, open border and stair.
+/// The inside of an `<svg>` for one storey, over `drawn_box`: the walls in pale, a node for each room with the number
+/// of doors between it and the outside, a link through each door, opening, open border and stair.
 [[nodiscard]] std::string room_graph(const PlanView& view, const Passages& passages, std::uint32_t storey);
 
 /// "8 rooms, 9 links; 4 doors deep at most", and who cannot be reached.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "plans/utf8.h"
 
@@ -88,9 +89,24 @@ Mm centred(const std::vector<std::vector<Mm>>& rings, Mm at, bool sideways) {
     return sideways ? Mm{middle, at.y} : Mm{at.x, middle};
 }
 
+/// Where a name may go: in the middle first, then ever further from it.
+std::vector<Mm> places(const std::vector<std::vector<Mm>>& rings, Mm at) {
+    std::vector<Mm> all = {at, centred(rings, at, true), centred(rings, at, false),
+                           centred(rings, centred(rings, at, true), false)};
+    MmBox box;
+    for (const Mm p : rings[0]) box.add(p);
+    const std::int64_t dx = (box.high.x - box.low.x) / 10, dy = (box.high.y - box.low.y) / 10;
+    for (const std::int64_t ring : {1, 2, 3})
+        for (std::int64_t i = -ring; i <= ring; ++i)
+            for (std::int64_t j = -ring; j <= ring; ++j)
+                if (std::max(std::abs(i), std::abs(j)) == ring) all.push_back({at.x + i * dx, at.y + j * dy});
+    return all;
+}
+
 struct Fitter {
     const std::vector<std::vector<Mm>>& rings;
     const std::string& area;
+    std::vector<MmBox> obstacles;  ///< emptied where nothing fits between them
 
     [[nodiscard]] bool fits(const RoomLabel& label) const {
         double width = 0, height = line_height * double(label.lines.size()) * label.size;
@@ -104,6 +120,10 @@ struct Fitter {
         if (label.upright) std::swap(width, height);
         const double x = double(label.at.x), y = double(label.at.y);
         const Box box = {x - width / 2, y - height / 2, x + width / 2, y + height / 2};
+        for (const MmBox& o : obstacles)
+            if (box.low_x < double(o.high.x) && box.high_x > double(o.low.x) && box.low_y < double(o.high.y) &&
+                box.high_y > double(o.low.y))
+                return false;
         for (const std::vector<Mm>& ring : rings)
             for (std::size_t k = 0; k < ring.size(); ++k)
                 if (meets(ring[k], ring[(k + 1) % ring.size()], box)) return false;
@@ -113,23 +133,30 @@ struct Fitter {
 
 }  // namespace
 
-RoomLabel fit_label(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name,
-                    const std::string& area) {
-    const Fitter fitter{rings, area};
-    const std::array<Mm, 4> places = {at, centred(rings, at, true), centred(rings, at, false),
-                                      centred(rings, centred(rings, at, true), false)};
-    std::vector<std::vector<std::string>> wordings;
-    if (name.empty()) wordings = {{}};
-    else wordings = {{name}, in_two(name)};
-    if (wordings.back().empty() && !name.empty()) wordings.pop_back();
+RoomLabel fit_label(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name, const std::string& area,
+                    std::span<const MmBox> obstacles) {
+    Fitter fitter{rings, area, {}};
+    MmBox box;
+    for (const Mm p : rings[0]) box.add(p);
+    for (const MmBox& o : obstacles)
+        if (o.low.x < box.high.x && o.high.x > box.low.x && o.low.y < box.high.y && o.high.y > box.low.y)
+            fitter.obstacles.push_back(o);
+    const std::vector<Mm> candidates = places(rings, at);
+    std::vector<std::vector<std::string>> wordings(1);
+    if (!name.empty()) wordings[0] = {name};
+    if (name.find(' ') != std::string::npos) wordings.push_back(in_two(name));
     const auto fit = [&](int size, bool upright, bool with_area) -> RoomLabel {
         for (const auto& lines : wordings)
-            for (const Mm place : places) {
+            for (const Mm place : candidates) {
                 RoomLabel label{place, size, upright, lines, with_area};
                 if (fitter.fits(label)) return label;
             }
         return {};
     };
+    if (!fitter.obstacles.empty())
+        for (const int size : {340, 280, 230, 190})
+            if (RoomLabel label = fit(size, false, true); label.size > 0) return label;
+    fitter.obstacles.clear();
     for (const int size : {340, 280, 230, 190, 160, 130})
         if (RoomLabel label = fit(size, false, true); label.size > 0) return label;
     for (const int size : {230, 190, 160, 130})

@@ -2,6 +2,7 @@
 // Names written into rooms, as large as there is room.
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct RoomLabel {
     bool with_area = false;
 };
 
-/// A label with no lines where the name would be smaller than 9 cm: nobody could read it.
-/// `rings`: outer ring and holes of the room; `at`: a point inside, away from the border.
+/// Size 0 where the name would be smaller than 9 cm: nobody could read it.
+/// `rings`: outer ring and holes of the room; `at`: a point inside, away from the border; `obstacles`: what the label
+/// keeps off where it can without becoming small.
 [[nodiscard]] RoomLabel fit_label(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name,
-                                  const std::string& area);
+                                  const std::string& area, std::span<const MmBox> obstacles = {});
 
 }  // namespace enfilade::tools

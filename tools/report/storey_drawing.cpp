@@ -1,6 +1,7 @@
 #include "tools/report/storey_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "modeler/outline.h"
@@ -30,9 +31,9 @@ std::string layer(const char* name, const std::string& content) {
 /// Kinds of rooms that the page tints alike.
 const char* tint_of(const std::string& kind) {
     static const std::map<std::string, const char*> tints = {
-        {"corridor", "way"}, {"hall", "way"},     {"lobby", "way"},    {"stairwell", "way"}, {"bathroom", "wet"},
-        {"toilet", "wet"},   {"kitchen", "wet"},  {"laundry", "wet"},  {"storage", "store"}, {"closet", "store"},
-        {"garage", "store"}, {"utility", "store"}};
+        {"corridor", "way"},  {"hall", "way"},     {"lobby", "way"},    {"stairwell", "way"},
+        {"bathroom", "wet"},  {"toilet", "wet"},   {"kitchen", "wet"},  {"laundry", "wet"},
+        {"storage", "store"}, {"closet", "store"}, {"garage", "store"}, {"utility", "store"}};
     const auto found = tints.find(kind);
     return found == tints.end() ? "room" : found->second;
 }
@@ -40,9 +41,10 @@ const char* tint_of(const std::string& kind) {
 /// Names by font size: small ones are not shown from afar.
 class NameLayer {
 public:
-    void add(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name, double area) {
+    void add(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name, double area,
+             std::span<const MmBox> obstacles) {
         const std::string measure = area_text(area);
-        const RoomLabel label = fit_label(rings, at, name, measure);
+        const RoomLabel label = fit_label(rings, at, name, measure, obstacles);
         if (label.size == 0) return;
         const double lines = double(label.lines.size()) + (label.with_area ? 0.78 : 0);
         std::string text = "<g";
@@ -54,8 +56,8 @@ public:
         double y = double(middle) - lines * 1.2 * label.size / 2;
         const auto line = [&](const std::string& words, double size, const char* classes) {
             y += 1.2 * size;
-            text += "<text" + std::string(classes) + " x=\"" + std::to_string(x) + "\" y=\"" + decimal(y - 0.32 * size, 0) +
-                    "\">" + escaped(words) + "</text>";
+            text += "<text" + std::string(classes) + " x=\"" + std::to_string(x) + "\" y=\"" +
+                    decimal(y - 0.32 * size, 0) + "\">" + escaped(words) + "</text>";
         };
         for (const std::string& words : label.lines) line(words, label.size, "");
         if (label.with_area) line(measure, 0.78 * label.size, " class=\"area\"");
@@ -65,8 +67,8 @@ public:
     [[nodiscard]] std::string text() const {
         std::string all = "<g class=\"layer layer-names\" transform=\"scale(.001)\">\n";
         for (const auto& [size, texts] : by_size_)
-            all += "<g class=\"names\" data-size=\"" + decimal(size / 1000.0, 2) + "\" style=\"--size:" +
-                   std::to_string(size) + "px\">\n" + texts + "</g>\n";
+            all += "<g class=\"names\" data-size=\"" + decimal(size / 1000.0, 2) +
+                   "\" style=\"--size:" + std::to_string(size) + "px\">\n" + texts + "</g>\n";
         return all + "</g>\n";
     }
 
@@ -77,7 +79,7 @@ private:
 class StoreyDrawer {
 public:
     StoreyDrawer(const PlanView& view, const Passages& passages, std::uint32_t storey)
-        : view_(view), passages_(passages), storey_(storey) {}
+        : view_(view), storey_(storey), doors_(door_paths(view, passages, storey)) {}
 
     std::string run(const CellPaths* cells, const std::set<std::string>& blamed) {
         std::string drawing = layer("grid", grid());
@@ -97,8 +99,12 @@ private:
         const DrawnBox box = drawn_box(view_);
         const double extent = std::max(box.width, box.height);
         const std::int64_t step = extent < 150 ? 1000 : extent < 700 ? 5000 : 50000;
-        const auto down = [&](double metres) { return std::int64_t(std::floor(1000 * metres / double(step))) - 3; };
-        const auto up = [&](double metres) { return std::int64_t(std::ceil(1000 * metres / double(step))) + 3; };
+        // Far enough around that its end is seen by nobody who looks at the building.
+        const auto around = std::int64_t(1000 * extent / double(step)) + 3;
+        const auto down = [&](double metres) {
+            return std::int64_t(std::floor(1000 * metres / double(step))) - around;
+        };
+        const auto up = [&](double metres) { return std::int64_t(std::ceil(1000 * metres / double(step))) + around; };
         const std::int64_t x0 = down(box.x), x1 = up(box.x + box.width);
         const std::int64_t y0 = down(-box.y - box.height), y1 = up(-box.y);
         SvgPath fine, coarse;
@@ -139,7 +145,7 @@ private:
             path.ring(ring);
             const double area = std::abs(twice) / 2, n = double(ring.size());
             text += titled_room("out", room.id, room.name, room.kind, area, path);
-            names_.add({ring}, view_.mm(x / n, y / n), room.name, area);
+            names_.add({ring}, view_.mm(x / n, y / n), room.name, area, doors_.swept);
         }
         return text;
     }
@@ -158,7 +164,7 @@ private:
             const double area = modeler::area_m2(view_.building(), part);
             text += titled_room(tint_of(space.kind), space.id, space.name, space.kind, area, path);
             const auto [x, y] = modeler::label_point(view_.building(), part);
-            names_.add(view_.rings(part), view_.mm(x, y), space.name, area);
+            names_.add(view_.rings(part), view_.mm(x, y), space.name, area, doors_.swept);
         }
         return path_tag("threshold", thresholds) + text;
     }
@@ -181,9 +187,8 @@ private:
     }
 
     std::string doors() const {
-        const DoorPaths paths = door_paths(view_, passages_, storey_);
-        return path_tag("sill", paths.sills) + path_tag("passage", opening_paths(view_, storey_)) +
-               path_tag("swing", paths.swings) + path_tag("leaf", paths.leaves);
+        return path_tag("sill", doors_.sills) + path_tag("passage", opening_paths(view_, storey_)) +
+               path_tag("swing", doors_.swings) + path_tag("leaf", doors_.leaves);
     }
 
     std::string stairs() const {
@@ -210,8 +215,8 @@ private:
         }
         std::string text;
         for (const auto& [space, path] : outlines)
-            text += "<path class=\"mark\" data-el=\"" + escaped(view_.space(space).id) + "\" d=\"" + path.text() +
-                    "\"/>\n";
+            text +=
+                "<path class=\"mark\" data-el=\"" + escaped(view_.space(space).id) + "\" d=\"" + path.text() + "\"/>\n";
         return text;
     }
 
@@ -223,8 +228,8 @@ private:
     }
 
     const PlanView& view_;
-    const Passages& passages_;
     std::uint32_t storey_;
+    DoorPaths doors_;
     NameLayer names_;
 };
 

@@ -1,6 +1,13 @@
 #include "tools/report/svg_path.h"
 
+#include <algorithm>
+
 namespace enfilade::tools {
+
+void MmBox::add(Mm at) {
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+}
 
 void SvgPath::command(char letter) {
     // A letter that repeats may be left out, but for moves, after which numbers are lines.

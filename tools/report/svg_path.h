@@ -14,6 +14,14 @@ struct Mm {
     friend bool operator==(const Mm&, const Mm&) = default;
 };
 
+/// A rectangle in millimetres.
+struct MmBox {
+    Mm low = {INT64_MAX, INT64_MAX};
+    Mm high = {INT64_MIN, INT64_MIN};
+    void add(Mm at);
+    [[nodiscard]] bool empty() const { return low.x > high.x; }
+};
+
 class SvgPath {
 public:
     void move(Mm to);
