@@ -43,6 +43,8 @@ public:
         return "e" + std::to_string(edges_.at({vertices_.at(a), vertices_.at(b)}));
     }
 
+    [[nodiscard]] std::size_t edges() const { return edges_.size(); }
+
     void window(const std::string& id, const std::string& definition, const std::string& edge,
                 const std::string& alpha) {
         windows_ += (windows_.empty() ? "" : ",\n") +
