@@ -1,6 +1,6 @@
 // FloorspaceJS floor plans: stories of spaces that share edges without thickness become storeys of walls and rooms
 // (docs/floorspace.md).
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 
 #include "plans/floorspace/courtyards.h"
@@ -51,7 +51,9 @@ private:
             wall.height_at_start = wall.height_at_end = storey.height;
             storey.walls.push_back(std::move(wall));
         }
-        for (const FloorOutline& outline : spaces.outlines) add_room(story, outline, storey);
+        for (std::uint32_t o = 0; o < spaces.outlines.size(); ++o)
+            if (!std::binary_search(walls.lost.begin(), walls.lost.end(), o))
+                add_room(story, spaces.outlines[o], storey);
         report_spaces(story, spaces, walls, graph, storey);
         add_courtyards(find_courtyards(story, spaces, graph, options_.wall_thickness), storey);
         place_openings(file_, story, graph, walls, level.wall_height, storey, report_);
@@ -190,7 +192,7 @@ private:
         count(graph.doubled_edges, "edge drawn twice", "edges drawn twice");
         count(graph.touched_edges, "edge on which others end", "edges on which others end");
         count(graph.crossed_edges, "crossing", "crossings");
-        count(spaces.inner_edges, "slit", "slits");
+        count(spaces.inner_edges, "edge with one space on both sides", "edges with one space on both sides");
         if (what.empty()) return;
         Finding& finding = report_.add(
             "P762", Severity::Note, storey,

@@ -99,7 +99,9 @@ private:
             const double cosine = dot(d, e) / size;
             const double half = thickness_[p] / 2;
             if (sine < 0.05) continue;  // straight on, or along it: there is no corner
-            taken = std::max(taken, (half + std::max(0.0, cosine) * wall.thickness / 2) / sine);
+            // Where the faces on the inner side of the corner meet; at a blunt corner the other's end is nearer.
+            const double inner = (half + cosine * wall.thickness / 2) / sine;
+            taken = std::max(taken, cosine < 0 ? std::min(inner, half) : inner);
         }
         taken = std::min(taken, most_taken);
         const bool at_start = distance(here, wall.start) < distance(here, wall.end);

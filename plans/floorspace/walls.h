@@ -29,7 +29,7 @@ struct FloorWalls {
     std::vector<FloorWall> walls;
     std::vector<FloorPiecePlace> of_piece;  ///< [FloorGraph::pieces]
     std::vector<std::uint32_t> thinned;     ///< outlines for which walls are thinner than asked for
-    std::vector<std::uint32_t> lost;        ///< outlines narrower than any walls
+    std::vector<std::uint32_t> lost;        ///< outlines narrower than any walls, ascending
 };
 
 /// `thickness`: metres asked for, greater than 0. Walls of a narrow space are as thick as its area divided by its

@@ -1,7 +1,8 @@
 // Doors and windows: where they stand, and how large they are.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "plans/vector2.h"
 #include "tests/plans/floorspace/floor_text.h"
@@ -178,6 +179,29 @@ TEST(FloorspaceOpenings, KeepClearOfTheWallsBeside) {
     ASSERT_EQ(floor_findings(plan, "P766").size(), 1u);
     EXPECT_EQ(floor_findings(plan, "P766")[0].severity, Severity::Note);
     EXPECT_NEAR(floor_findings(plan, "P766")[0].moved_mm, 90, 1);
+}
+
+TEST(FloorspaceOpenings, HaveRoomBesideBluntCorners) {
+    // The sides of a round hall meet at 174 degrees: its windows reach almost from corner to corner.
+    FloorText text;
+    std::vector<std::pair<double, double>> ring;
+    for (int k = 0; k < 60; ++k)
+        ring.emplace_back(10 * std::cos(k * std::numbers::pi / 30), 10 * std::sin(k * std::numbers::pi / 30));
+    text.space("Hall", ring);
+    for (int k = 0; k < 60; ++k) text.window("w" + std::to_string(k), "half", "e" + std::to_string(k), "0.5");
+    const Plan plan = clean(read_floor({text.story()}));
+    EXPECT_TRUE(plan.findings.empty());
+    EXPECT_EQ(plan.storeys[0].openings.size(), 60u);
+}
+
+TEST(FloorspaceOpenings, KeepClearOfSharpCorners) {
+    // 30 degrees: the inner faces of walls of 10 cm meet 19 cm from the corner.
+    FloorText text;
+    text.space("Wedge", {{0, 0}, {8, 0}, {8 * std::cos(std::numbers::pi / 6), 4}});
+    text.door("d", "door", "e0", "0");
+    const Plan plan = read_floor({text.story()});
+    const Opening& door = plan.storeys[0].openings.at(0);
+    EXPECT_NEAR(door.offset - door.width / 2, 0.05 * (1 + std::cos(std::numbers::pi / 6)) / 0.5 + 0.01, 1e-3);
 }
 
 TEST(FloorspaceOpenings, AreMadeNarrowerThanTheirWall) {

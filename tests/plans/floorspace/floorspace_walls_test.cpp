@@ -105,6 +105,7 @@ TEST(FloorspaceWalls, OfASpaceTooNarrowForAnyLeaveNoRoom) {
     text.box("Gap", 6, 0, 6.02, 4);
     const Plan plan = read_floor({text.story()});
     EXPECT_EQ(found_areas(plan).size(), 1u);
+    EXPECT_EQ(plan.storeys[0].rooms.size(), 1u);
     ASSERT_EQ(floor_findings(plan, "P764").size(), 1u);
     EXPECT_NE(floor_findings(plan, "P764")[0].sentence.find("\"Gap\""), std::string::npos);
 }
