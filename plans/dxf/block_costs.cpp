@@ -57,7 +57,7 @@ private:
     double insert_cost(const InsertEntity& insert, int line, std::uint32_t depth) {
         const auto place = contents_.block_index.find(insert.block);
         if (place == contents_.block_index.end()) {
-            use_.missing[insert.block].add(line);
+            use_.missing[insert.name].add(line);
             return 0;
         }
         const Known& child = known(place->second, line, depth + 1);

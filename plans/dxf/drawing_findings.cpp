@@ -71,8 +71,8 @@ void add_findings(Drawing& drawing, const Contents& contents, const BlockUse& us
     if (all.invisible.count > 0) say("P716", Severity::Note, entities(all.invisible) + " set invisible left out.", "");
     for (const auto& [name, tally] : use.missing)
         say("P717", Severity::Warning,
-            "The block \"" + name.substr(0, 100) + "\", inserted " + std::to_string(tally.count) +
-                " times, is not in the file, " + first_at(tally) + ".",
+            "The block \"" + name.substr(0, 100) + "\" is not in the file; its insertions are left out: " +
+                std::to_string(tally.count) + ", " + first_at(tally) + ".",
             "Bind external references before saving the drawing as DXF.");
     if (all.cut_texts.count > 0)
         say("P718", Severity::Note,

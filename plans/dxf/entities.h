@@ -89,6 +89,7 @@ struct DimensionEntity {
 
 struct InsertEntity {
     std::string block;  ///< its key
+    std::string name;   ///< of the block, decoded
     P3 at;
     P3 scale = {1, 1, 1};
     double angle = 0;  ///< radians

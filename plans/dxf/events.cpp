@@ -80,7 +80,8 @@ void Events::setVariableInt(const std::string& key, int value, int /*code*/) {
 
 void Events::addLayer(const DL_LayerData& data) {
     const std::uint32_t index = layer_of(data.name);
-    contents_.layers[index].visible = (data.flags & 1) == 0 && !data.off;
+    // Frozen, or off: its colour is negative then.
+    contents_.layers[index].visible = (data.flags & 1) == 0 && !data.off && attributes.getColor() >= 0;
 }
 
 void Events::addBlock(const DL_BlockData& data) {
@@ -166,6 +167,7 @@ void Events::addKnot(const DL_KnotData& data) {
 void Events::addInsert(const DL_InsertData& data) {
     InsertEntity insert;
     insert.block = folded(data.name);
+    insert.name = words_.utf8(data.name);
     insert.at = {data.ipx, data.ipy, data.ipz};
     insert.scale = {data.sx, data.sy, data.sz};
     insert.angle = radians(data.angle);
@@ -197,13 +199,14 @@ void Events::addSolid(const DL_SolidData& data) { add_face(data, false); }
 void Events::addTrace(const DL_TraceData& data) { add_face(data, false); }
 void Events::add3dFace(const DL_3dFaceData& data) { add_face(data, true); }
 
-/// Justified texts stand at their second point; the first is where their letters begin.
+/// Justified texts stand at their second point; the first is where their letters begin. dxflib gives NaN for what the
+/// second one lacks.
 void Events::addText(const DL_TextData& data) {
     const bool spread = data.hJustification == 3 || data.hJustification == 5;
     const bool justified = (data.hJustification != 0 || data.vJustification != 0) && !spread;
+    const bool moved = justified && std::isfinite(data.apx) && std::isfinite(data.apy);
     const P3 first = {data.ipx, data.ipy, data.ipz};
-    const P3 second = {data.apx, data.apy, data.apz};
-    const bool moved = justified && second != P3{};
+    const P3 second = {data.apx, data.apy, std::isfinite(data.apz) ? data.apz : 0};
     add(TextEntity{plain_text(words_.utf8(data.text)), moved ? second : first, data.height, false});
 }
 

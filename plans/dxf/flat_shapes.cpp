@@ -54,6 +54,7 @@ void FlatShapes::add(const Entity& entity, const Placement& placement) {
     } else if (const auto* arc = std::get_if<ArcEntity>(&entity.shape)) {
         begin(ShapeKind::Arc, entity, placement);
         const double r = std::abs(arc->radius);
+        for (const P3 end : {P3{r, 0, 0}, P3{0, r, 0}}) seen(plane, arc->centre + end);
         round(seen(plane, arc->centre), flat(plane.x * r), flat(plane.y * r), arc->start,
               arc->full ? full_turn : turn(arc->start, arc->end));
     } else if (const auto* ellipse = std::get_if<EllipseEntity>(&entity.shape)) {
@@ -61,6 +62,7 @@ void FlatShapes::add(const Entity& entity, const Placement& placement) {
         const double size = length(entity.normal);
         const P3 normal = size > 0 ? entity.normal * (1 / size) : P3{0, 0, 1};
         const P3 minor = dxf::cross(normal, ellipse->major) * ellipse->ratio;
+        for (const P3 end : {ellipse->major, minor}) seen(placement.map, ellipse->centre + end);
         round(seen(placement.map, ellipse->centre), flat(placement.map.vector(ellipse->major)),
               flat(placement.map.vector(minor)), ellipse->start, turn(ellipse->start, ellipse->end));
     } else if (const auto* spline = std::get_if<SplineEntity>(&entity.shape)) {
