@@ -32,10 +32,7 @@ SideStrip PartSides::strip(const SpacePart& part, std::uint32_t half_edge) const
         const std::uint32_t before = half_edge % 2 == 0 ? face.front : face.back;
         const std::uint32_t behind = half_edge % 2 == 0 ? face.back : face.front;
         if (!std::binary_search(part.volumes.begin(), part.volumes.end(), before)) continue;
-        SideInterval* last = strip.intervals.empty() ? nullptr : &strip.intervals.back();
-        if (last && building_.volumes[last->behind].space == building_.volumes[behind].space)
-            last->z_high = face.z_high;
-        else strip.intervals.push_back({face.z_low, face.z_high, behind});
+        strip.intervals.push_back({face.z_low, face.z_high, behind});
     }
     std::int32_t z = part.z_low;
     for (const SideInterval& interval : strip.intervals)

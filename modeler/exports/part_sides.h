@@ -18,7 +18,7 @@ struct SideInterval {
 /// A half-edge of the part's outline with what stands over it, from the part's floor to its ceiling without gaps.
 struct SideStrip {
     std::uint32_t half_edge = 0;
-    std::vector<SideInterval> intervals;  ///< ascending; neighbours have different spaces behind them
+    std::vector<SideInterval> intervals;  ///< ascending, one for each face of the building
 };
 
 /// Strips that go straight on along one line.

@@ -16,12 +16,15 @@ namespace {
 
 using Node = std::array<std::int64_t, 2>;
 
+/// What a face is open to: space and part.
+using Open = std::pair<std::uint32_t, std::uint32_t>;
+
 /// A piece of a side: what stands over one strip between two levels.
 struct SideTile {
     std::uint32_t column = 0;  ///< the strip, in its straight side
     std::int32_t z_low = 0;
     std::int32_t z_high = 0;
-    std::uint32_t behind = SolidFace::solid;
+    Open behind;
     std::uint32_t material = 0;
 };
 
@@ -31,6 +34,9 @@ public:
 
     SpaceSolids run(const std::vector<Label>& labels) {
         result_.parts = space_parts(building_);
+        part_of_.assign(building_.volumes.size(), SolidFace::no_part);
+        for (std::uint32_t p = 0; p < result_.parts.size(); ++p)
+            for (const std::uint32_t v : result_.parts[p].volumes) part_of_[v] = p;
         for (std::uint32_t p = 0; p < result_.parts.size(); ++p) {
             const Label label = building_.spaces[result_.parts[p].space].label;
             if (std::find(labels.begin(), labels.end(), label) != labels.end()) add(p);
@@ -40,10 +46,13 @@ public:
     }
 
 private:
-    /// The space of a volume that is no part of the building's body: light or earth.
-    std::uint32_t open_space(std::uint32_t volume) const {
+    /// What a volume is to a face that it lies behind: nothing where it belongs to the building's body, else its space
+    /// (light or earth) and, indoors, its part.
+    Open open(std::uint32_t volume) const {
         const Volume& v = building_.volumes[volume];
-        return accel::carries_light(v.label) || v.label == Label::Ground ? v.space : SolidFace::solid;
+        if (v.label == Label::Exterior || v.label == Label::Ground) return {v.space, SolidFace::no_part};
+        if (accel::carries_light(v.label)) return {v.space, part_of_[volume]};
+        return {SolidFace::solid, SolidFace::no_part};
     }
 
     void add(std::uint32_t p) {
@@ -70,10 +79,10 @@ private:
             std::uint32_t material = 0;
             std::vector<std::uint32_t> faces;
         };
-        std::map<std::uint32_t, Group> groups;
+        std::map<Open, Group> groups;
         for (const std::uint32_t v : part.volumes)
             for (const LevelFace& face : is_floor ? levels_.floors(v) : levels_.ceilings(v)) {
-                Group& group = groups[open_space(face.behind)];
+                Group& group = groups[open(face.behind)];
                 if (group.faces.empty()) group.material = building_.volumes[face.behind].space;
                 group.faces.push_back(face.face);
             }
@@ -82,7 +91,7 @@ private:
                 add_level_face(rings, kind, z, behind, group.material, solid);
     }
 
-    void add_level_face(const RegionRings& rings, SolidFaceKind kind, std::int32_t z, std::uint32_t behind,
+    void add_level_face(const RegionRings& rings, SolidFaceKind kind, std::int32_t z, const Open& behind,
                         std::uint32_t material, SpaceSolid& solid) {
         const auto lift = [&](const std::vector<std::uint32_t>& ring) {
             std::vector<std::uint32_t> up;
@@ -90,7 +99,7 @@ private:
             if (kind == SolidFaceKind::Floor) std::reverse(up.begin(), up.end());
             return up;
         };
-        SolidFace face{kind, behind, material, lift(rings.outer), {}};
+        SolidFace face{kind, behind.first, behind.second, material, lift(rings.outer), {}};
         for (const auto& hole : rings.holes) face.holes.push_back(lift(hole));
         solid.faces.push_back(std::move(face));
     }
@@ -159,7 +168,9 @@ private:
         };
         for (auto& [root, border] : borders) {
             const RegionRings rings = trace_rings(std::move(border), nodes);
-            SolidFace face{SolidFaceKind::Side, tiles[root].behind, tiles[root].material, lift(rings.outer), {}};
+            const SideTile& tile = tiles[root];
+            SolidFace face{SolidFaceKind::Side, tile.behind.first, tile.behind.second,
+                           tile.material,       lift(rings.outer), {}};
             for (const auto& hole : rings.holes) face.holes.push_back(lift(hole));
             solid.faces.push_back(std::move(face));
         }
@@ -169,7 +180,7 @@ private:
         std::vector<SideTile> tiles;
         for (std::uint32_t c = 0; c < strips.size(); ++c)
             for (const SideInterval& interval : strips[c].intervals) {
-                const std::uint32_t behind = open_space(interval.behind);
+                const Open behind = open(interval.behind);
                 const bool goes_on = !tiles.empty() && tiles.back().column == c && tiles.back().behind == behind;
                 if (goes_on) tiles.back().z_high = interval.z_high;
                 else
@@ -248,6 +259,7 @@ private:
     const Building& building_;
     PartSides sides_;
     LevelFaces levels_;
+    std::vector<std::uint32_t> part_of_;  ///< [volume]
     std::unordered_map<std::uint64_t, std::uint32_t> vertex_ids_;
     SpaceSolids result_;
 };

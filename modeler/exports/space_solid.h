@@ -14,9 +14,12 @@ enum class SolidFaceKind : std::uint8_t { Floor, Ceiling, Side };
 
 struct SolidFace {
     static constexpr std::uint32_t solid = UINT32_MAX;
+    static constexpr std::uint32_t no_part = UINT32_MAX;
 
     SolidFaceKind kind = SolidFaceKind::Side;
-    std::uint32_t behind = solid;      ///< the space with light behind it (its door, the room beyond a gap), or `solid`
+    std::uint32_t behind = solid;  ///< the space with light, or the ground, behind it; `solid` for walls and slabs
+    /// Its part: into SpaceSolids::parts; `no_part` for walls, slabs, the exterior, the ground.
+    std::uint32_t behind_part = no_part;
     std::uint32_t material = 0;        ///< one space behind it, whatever its label: of several the first
     std::vector<std::uint32_t> outer;  ///< into SpaceSolids::vertices, counter-clockwise seen from outside the solid
     std::vector<std::vector<std::uint32_t>> holes;  ///< clockwise
@@ -35,11 +38,11 @@ struct SpaceSolids {
     std::vector<SpaceSolid> solids;                     ///< those asked for, by part
 };
 
-/// Floors and ceilings are one face (one for each space with light, or ground, behind it), sides one face for each
-/// straight stretch of solid, with windows as holes and doors as notches, and one for each opening. Points on which all
-/// edges of a solid go exactly straight on are left out: geometry is exactly that of the volumes. Sides are flat to
-/// within the rounding of the grid. `labels`: the spaces that are wanted. Throws InputError (F22) where a border does
-/// not close. Cost: linear, times the log of the border of one part.
+/// Floors and ceilings are one face (one for each part with light behind it, for the exterior and for the ground),
+/// sides one face for each straight stretch of solid, with windows as holes and doors as notches, and one for each
+/// opening. Points on which all edges of a solid go exactly straight on are left out: geometry is exactly that of the
+/// volumes. Sides are flat to within the rounding of the grid. `labels`: the spaces that are wanted. Throws InputError
+/// (F22) where a border does not close. Cost: linear, times the log of the border of one part.
 [[nodiscard]] SpaceSolids space_solids(const Building& building, const std::vector<Label>& labels);
 
 }  // namespace enfilade::modeler
