@@ -37,6 +37,11 @@ std::string title_of(const modeler::StoreyInfo& storey) {
     return escaped(storey.name.empty() ? storey.id : storey.name);
 }
 
+/// A line of a legend.
+std::string key(const char* classes, const char* title) {
+    return std::string("<span><span class=\"key ") + classes + "\"></span>" + title + "</span> ";
+}
+
 /// A bar of a round length, a fifth of the drawing wide at most; the script redraws it as the view changes.
 std::string scale_bar(const DrawnBox& box) {
     double metres = std::pow(10, std::floor(std::log10(box.width / 5)));
@@ -136,9 +141,8 @@ private:
         }
         if (cells_left_out_) text += "<p>Cells and portals are left out: there are too many to draw.</p>";
         else
-            text +=
-                "<p class=\"legend\"><span class=\"key clear\"></span>clear <span class=\"key border\"></span>open "
-                "border <span class=\"key glass\"></span>glass <span class=\"key shut\"></span>shut door</p>";
+            text += "<p class=\"legend\">" + key("clear", "clear") + key("border", "open border") +
+                    key("glass", "glass") + key("shut", "shut door") + "</p>";
         return text + "</div></details>\n";
     }
 
@@ -165,7 +169,7 @@ private:
                     "<g class=\"layer layer-pins\">\n" + pins(findings_, k) + "</g>\n" + scale_bar(box) +
                     "</svg></figure>\n";
         }
-        return text + "</div>\n<p class=\"status\" aria-hidden=\"true\">&nbsp;</p></div>\n";
+        return text + "</div>\n<p class=\"status\" aria-hidden=\"true\">Drag to move, scroll to zoom.</p></div>\n";
     }
 
     [[nodiscard]] std::string panel() const {
@@ -202,12 +206,12 @@ private:
 
     [[nodiscard]] std::string graph_section() const {
         if (!view_) return "";
-        const DrawnBox box = drawn_box(*view_);
+        const DrawnBox plan = drawn_box(*view_);
+        const DrawnBox box = {plan.x - 0.4, plan.y - 0.4, plan.width + 0.8, plan.height + 0.8};
         std::string text =
             "<section class=\"graphs\" aria-labelledby=\"graph-title\">\n<h2 id=\"graph-title\">Rooms and what joins "
             "them</h2>\n<p class=\"lead\">Each number says how many doors, openings and open borders lie between a "
-            "room "
-            "and the outside.</p>\n<div class=\"stage\" data-view=\"graph\"><div class=\"bar\">" +
+            "room and the outside.</p>\n<div class=\"stage\" data-view=\"graph\"><div class=\"bar\">" +
             tabs("graph") + zoom_buttons() + "</div>\n<div class=\"sheets\">\n";
         for (std::uint32_t k = 0; k < view_->storey_count(); ++k) {
             const std::string number = std::to_string(k), title = title_of(building_->storeys[k]);
@@ -216,10 +220,9 @@ private:
                     svg_open("graph", "graph-" + number, "Graph of " + title, box) + room_graph(*view_, passages_, k) +
                     "</svg></figure>\n";
         }
-        return text +
-               "</div></div>\n<p class=\"legend\"><span class=\"key g-door\"></span>door <span class=\"key "
-               "g-opening\"></span>opening <span class=\"key g-border\"></span>open border <span class=\"key "
-               "g-low\"></span>over a low wall <span class=\"key g-stair\"></span>stair or shaft</p></section>\n";
+        return text + "</div></div>\n<p class=\"legend\">" + key("g-door", "door") + key("g-opening", "opening") +
+               key("g-border", "open border") + key("g-low", "over a low wall") + key("g-stair", "stair or shaft") +
+               "</p></section>\n";
     }
 
     [[nodiscard]] std::string code_section() const {

@@ -1,5 +1,9 @@
 #include "tools/report/cell_layers.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "modeler/face_label.h"
 
 namespace enfilade::tools {
@@ -8,6 +12,13 @@ using modeler::Direction;
 using modeler::Face;
 using modeler::FaceKind;
 using modeler::Volume;
+
+namespace {
+/// All portals between two cells: their middles times their lengths.
+struct Joint {
+    double length = 0, x = 0, y = 0;
+};
+}  // namespace
 
 std::size_t CellPaths::size() const {
     return cells.size() + clear.size() + border.size() + glass.size() + leaves.size() + nodes.size() + links.size();
@@ -26,6 +37,7 @@ CellPaths cell_paths(const PlanView& view, std::uint32_t storey) {
     const modeler::OpeningFaces openings(building);
     const std::int32_t level = view.cut_level(storey);
     CellPaths paths;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Joint> joints;  // by cells
     for (const Volume& volume : building.volumes)
         if (carries_light(volume.label) && view.is_cut(storey, volume))
             paths.nodes.dot(view.middle(building.pieces[volume.piece]));
@@ -43,9 +55,15 @@ CellPaths cell_paths(const PlanView& view, std::uint32_t storey) {
                           : kind.portal == accel::PortalKind::Virtual ? paths.border
                                                                       : paths.glass;
         portal.segment(a, b);
-        paths.links.move(view.middle(building.pieces[front.piece]));
-        paths.links.line({(a.x + b.x) / 2, (a.y + b.y) / 2});
-        paths.links.line(view.middle(building.pieces[back.piece]));
+        Joint& joint = joints[std::minmax(face.front, face.back)];
+        const double length = std::hypot(double(b.x - a.x), double(b.y - a.y)) + 1e-6;
+        joint.length += length;
+        joint.x += length * double(a.x + b.x) / 2, joint.y += length * double(a.y + b.y) / 2;
+    }
+    for (const auto& [cells, joint] : joints) {
+        paths.links.move(view.middle(building.pieces[building.volumes[cells.first].piece]));
+        paths.links.line({std::llround(joint.x / joint.length), std::llround(joint.y / joint.length)});
+        paths.links.line(view.middle(building.pieces[building.volumes[cells.second].piece]));
     }
     return paths;
 }

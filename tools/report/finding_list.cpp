@@ -41,7 +41,7 @@ std::string place_html(const PlacedFinding& placed, const PlanView* view) {
     }
     if (parts.empty()) parts.push_back("no place");
     std::string text;
-    for (const std::string& part : parts) text += (text.empty() ? "" : " · ") + part;
+    for (const std::string& part : parts) text += (text.empty() ? "<span>" : " · <span>") + part + "</span>";
     return text;
 }
 

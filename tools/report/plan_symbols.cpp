@@ -113,7 +113,10 @@ DoorPaths door_paths(const PlanView& view, const Passages& passages, std::uint32
         const Point start = hole.corner(hole.from, left), end = hole.corner(hole.to, left);
         add_lines_along(view, hole, hole.left, paths.sills);
         add_lines_along(view, hole, -hole.right, paths.sills);
-        if (hole.width >= 1.3) {
+        if (hole.width >= 2.6) {
+            // Of a garage or a hall: it slides or folds, nothing swings.
+            add_lines_along(view, hole, (hole.left - hole.right) / 2, paths.leaves);
+        } else if (hole.width >= 1.3) {
             const Point middle = (start + end) * 0.5;
             add_leaf(view, start, middle, hole.open_angle, left, paths);
             add_leaf(view, end, middle, hole.open_angle, !left, paths);
@@ -149,6 +152,7 @@ SvgPath furniture_paths(const PlanView& view, std::uint32_t storey) {
     const plans::Storey* plan = view.plan_storey(storey);
     if (!plan) return path;
     for (const plans::Furniture& piece : plan->furniture) {
+        if (std::max(piece.width, piece.depth) < 0.25) continue;  // lamps, plates: specks on a plan
         const Point along = {std::cos(piece.angle), std::sin(piece.angle)}, back = plans::turned_left(along);
         const auto corner = [&](double x, double y) {
             return view.mm(piece.position + along * (x * piece.width / 2) + back * (y * piece.depth / 2));

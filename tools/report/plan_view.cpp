@@ -70,14 +70,21 @@ Mm PlanView::mm(double x, double y) const {
 Mm PlanView::mm(plans::GridPoint p) const { return mm(building_.frame.world_x(p.x), building_.frame.world_y(p.y)); }
 
 Mm PlanView::middle(const modeler::Piece& piece) const {
-    double x = 0, y = 0;
-    for (std::uint32_t k = 0; k < piece.corner_count; ++k) {
-        const plans::GridPoint p = building_.points[building_.corners[piece.first_corner + k].vertex];
-        x += p.x, y += p.y;
+    const auto corner = [&](std::uint32_t k) {
+        return building_.points[building_.corners[piece.first_corner + k].vertex];
+    };
+    const plans::GridPoint a = corner(0);
+    double area = 0, x = 0, y = 0;
+    for (std::uint32_t k = 1; k + 1 < piece.corner_count; ++k) {
+        const plans::GridPoint b = corner(k), c = corner(k + 1);
+        const double part = double(orientation(a, b, c));
+        area += part;
+        x += part * (double(b.x - a.x) + double(c.x - a.x)) / 3,
+            y += part * (double(b.y - a.y) + double(c.y - a.y)) / 3;
     }
     const plans::GridFrame& frame = building_.frame;
-    return mm(frame.origin_x + frame.unit * x / piece.corner_count,
-              frame.origin_y + frame.unit * y / piece.corner_count);
+    if (area == 0) return mm(a);
+    return mm(frame.origin_x + frame.unit * (a.x + x / area), frame.origin_y + frame.unit * (a.y + y / area));
 }
 
 std::vector<Mm> PlanView::ring(const modeler::HalfEdgeRing& ring) const {

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] Mm mm(double x, double y) const;
     [[nodiscard]] Mm mm(plans::Point p) const { return mm(p.x, p.y); }
     [[nodiscard]] Mm mm(plans::GridPoint p) const;
-    /// The middle of a piece's corners.
+    /// The centre of a piece's area.
     [[nodiscard]] Mm middle(const modeler::Piece& piece) const;
     [[nodiscard]] std::vector<Mm> ring(const modeler::HalfEdgeRing& ring) const;
     /// Outer ring and holes.

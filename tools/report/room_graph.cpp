@@ -46,7 +46,8 @@ public:
             passage.kind == PassageKind::Stair ? add_stair(passage, arrives) : add_link(passage);
         }
         for (const auto& [space, at] : places_) add_node(space, at);
-        return wall_ground(view_, storey_) + "<g class=\"glinks\" fill=\"none\">\n" + links_ + "</g>\n" + nodes_;
+        return wall_ground(view_, storey_) + "<g class=\"glinks\" fill=\"none\">\n" + links_ + "</g>\n" + nodes_ +
+               "<g class=\"names gnames\" data-size=\"0.24\" style=\"--size:.24px\">\n" + names_ + "</g>\n";
     }
 
 private:
@@ -63,10 +64,13 @@ private:
         const double radius = std::clamp(0.14 + 0.045 * std::sqrt(std::max(0.0, s.area_m2)), 0.2, 0.6);
         const std::uint32_t depth = passages_.depth[space];
         nodes_ += "<g class=\"gnode " + depth_class(depth) + (s.label == Label::Room ? "" : " way") + "\" data-el=\"" +
-                  escaped(s.id) + "\" transform=\"translate(" + coordinate(at.x) + " " + coordinate(-at.y) +
-                  ")\"><title>" + title(space) + "</title><circle r=\"" + decimal(radius, 2) + "\"/><text y=\"" +
-                  decimal(0.36 * radius, 2) + "\" style=\"--size:" + decimal(radius, 2) + "px\">" +
+                  escaped(s.id) + "\" style=\"--r:" + decimal(radius, 2) + "\" transform=\"translate(" +
+                  coordinate(at.x) + " " + coordinate(-at.y) + ")\"><title>" + title(space) + "</title><circle r=\"" +
+                  decimal(radius, 2) + "\"/><text y=\"" + decimal(0.36 * radius, 2) + "\">" +
                   (depth == unreachable ? "?" : std::to_string(depth)) + "</text></g>\n";
+        if (s.name.empty() || s.label != Label::Room) return;
+        names_ += "<text x=\"" + coordinate(at.x) + "\" y=\"" + decimal(0.27 + radius - double(at.y) / 1000, 2) +
+                  "\">" + escaped(s.name) + "</text>\n";
     }
 
     /// What has no place of its own: the outside before a door, the inside of a deep hole.
@@ -134,7 +138,7 @@ private:
     const Passages& passages_;
     std::uint32_t storey_;
     std::map<std::uint32_t, Mm> places_;  ///< of spaces that are nodes
-    std::string links_, nodes_;
+    std::string links_, nodes_, names_;
 };
 
 }  // namespace

@@ -166,7 +166,22 @@ private:
             const auto [x, y] = modeler::label_point(view_.building(), part);
             names_.add(view_.rings(part), view_.mm(x, y), space.name, area, doors_.swept);
         }
-        return path_tag("threshold", thresholds) + text;
+        return path_tag("threshold", thresholds) + text + path_tag("seam", seams());
+    }
+
+    /// Where one room becomes another without a wall.
+    SvgPath seams() const {
+        const modeler::Building& building = view_.building();
+        SvgPath path;
+        for (const modeler::Face& face : building.faces) {
+            if (face.direction != modeler::Direction::Side) continue;
+            const modeler::Volume &front = building.volumes[face.front], &back = building.volumes[face.back];
+            if (front.label != Label::Room || back.label != Label::Room || front.space == back.space) continue;
+            if (view_.space(front.space).storey != storey_) continue;
+            path.segment(view_.mm(building.points[building.edges[face.edge].a]),
+                         view_.mm(building.points[building.edges[face.edge].b]));
+        }
+        return path;
     }
 
     std::string walls() const {
@@ -254,8 +269,11 @@ DrawnBox drawn_box(const PlanView& view) {
 
 std::string wall_ground(const PlanView& view, std::uint32_t storey) {
     const WallOutlines outlines = wall_outlines(view, storey);
-    return "<g" + std::string(to_page) + ">" + path_tag("ground low", outlines.low) + path_tag("ground", outlines.cut) +
-           path_tag("ground", outlines.columns) + "</g>\n";
+    SvgPath windows;
+    for (const SpacePart& part : view.parts(storey))
+        if (view.space(part.space).label == Label::Window) view.add(part, windows);
+    return "<g" + std::string(to_page) + ">" + path_tag("ground low", windows) + path_tag("ground low", outlines.low) +
+           path_tag("ground", outlines.cut) + path_tag("ground", outlines.columns) + "</g>\n";
 }
 
 }  // namespace enfilade::tools
