@@ -1,6 +1,7 @@
 #include "plans/floorspace/edge_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -125,8 +126,10 @@ private:
     void meet(std::uint32_t l, std::uint32_t m) {
         Line& line = lines_[l];
         Line& other = lines_[m];
-        const bool touch =
-            touches(line, other.a) | touches(line, other.b) | touches(other, line.a) | touches(other, line.b);
+        // Each is to take note of its own: no short cut.
+        const std::array touches_it = {touches(line, other.a), touches(line, other.b), touches(other, line.a),
+                                       touches(other, line.b)};
+        const bool touch = std::find(touches_it.begin(), touches_it.end(), true) != touches_it.end();
         if (touch || line.a == other.a || line.a == other.b || line.b == other.a || line.b == other.b) return;
         const Point d = end(line) - start(line);
         const Point e = end(other) - start(other);
