@@ -63,6 +63,7 @@ struct Dimension {
     Point a;
     Point b;
     std::uint32_t layer = 0;
+    std::string written;  ///< what the picture of it shows, typed or not ("58'-0\""); empty: the file has no picture
 };
 
 struct Layer {

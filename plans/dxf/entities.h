@@ -85,6 +85,7 @@ struct DimensionEntity {
     P3 b;
     P3 direction;
     std::string text;
+    std::string picture;  ///< key of the block that draws it
 };
 
 struct InsertEntity {

@@ -223,11 +223,13 @@ std::string Events::dimension_text(const std::string& raw) {
     return text == "<>" ? std::string() : text;
 }
 
+/// `style` is the name of the block that draws it (record_source.cpp).
 void Events::addDimAlign(const DL_DimensionData& data, const DL_DimAlignedData& points) {
     add(DimensionEntity{{points.epx1, points.epy1, points.epz1},
                         {points.epx2, points.epy2, points.epz2},
                         {},
-                        dimension_text(data.text)});
+                        dimension_text(data.text),
+                        folded(data.style)});
 }
 
 void Events::addDimLinear(const DL_DimensionData& data, const DL_DimLinearData& points) {
@@ -235,7 +237,8 @@ void Events::addDimLinear(const DL_DimensionData& data, const DL_DimLinearData& 
     add(DimensionEntity{{points.dpx1, points.dpy1, points.dpz1},
                         {points.dpx2, points.dpy2, points.dpz2},
                         {std::cos(angle), std::sin(angle), 0},
-                        dimension_text(data.text)});
+                        dimension_text(data.text),
+                        folded(data.style)});
 }
 
 }  // namespace enfilade::plans::dxf

@@ -14,22 +14,13 @@ namespace {
 class Explosion {
 public:
     Explosion(const Contents& contents, const DrawingLimits& limits, const std::string& file, Drawing& drawing)
-        : contents_(contents),
-          limits_(limits),
-          file_(file),
-          drawing_(drawing),
-          shapes_(drawing, zero_layer(contents)) {}
+        : contents_(contents), limits_(limits), file_(file), drawing_(drawing), shapes_(drawing, contents) {}
 
     void run() { block(contents_.model, {}); }
 
     [[nodiscard]] const FlatShapes& shapes() const { return shapes_; }
 
 private:
-    static std::uint32_t zero_layer(const Contents& contents) {
-        const auto place = contents.layer_index.find("0");
-        return place == contents.layer_index.end() ? UINT32_MAX : place->second;
-    }
-
     void block(const Block& block, const Placement& placement) {
         for (const Entity& entity : block.entities) {
             if (const auto* insert = std::get_if<InsertEntity>(&entity.shape)) insertions(*insert, entity, placement);

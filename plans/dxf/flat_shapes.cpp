@@ -30,6 +30,11 @@ double turn(double start, double end) {
 
 }  // namespace
 
+FlatShapes::FlatShapes(Drawing& drawing, const Contents& contents) : drawing_(drawing), contents_(contents) {
+    const auto zero = contents.layer_index.find("0");
+    if (zero != contents.layer_index.end()) zero_layer_ = zero->second;
+}
+
 std::uint32_t FlatShapes::layer_of(const Entity& entity, const Placement& placement) const {
     return entity.layer == zero_layer_ && placement.layer != UINT32_MAX ? placement.layer : entity.layer;
 }
@@ -207,7 +212,17 @@ void FlatShapes::dimension(const DimensionEntity& dimension, const Entity& entit
     const Point across = {b.x - a.x, b.y - a.y};
     const double measured = size > 0 ? std::abs(dot(across, direction)) / size : std::hypot(across.x, across.y);
     if (!(measured <= 4 * largest_number)) return broken.add(entity.line);
-    drawing_.dimensions.push_back({measured, dimension.text, a, b, layer_of(entity, placement)});
+    drawing_.dimensions.push_back({measured, dimension.text, a, b, layer_of(entity, placement), written(dimension)});
+}
+
+/// The first text of the block that draws the dimension.
+std::string FlatShapes::written(const DimensionEntity& dimension) const {
+    const auto block = contents_.block_index.find(dimension.picture);
+    if (block == contents_.block_index.end()) return {};
+    for (const Entity& entity : contents_.blocks[block->second].entities)
+        if (const auto* text = std::get_if<TextEntity>(&entity.shape); text != nullptr && !text->text.empty())
+            return text->text.substr(0, 200);
+    return {};
 }
 
 }  // namespace enfilade::plans::dxf

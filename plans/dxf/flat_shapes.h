@@ -17,7 +17,7 @@ struct Placement {
 /// `broken` instead, what is not level at 0 in `raised`.
 class FlatShapes {
 public:
-    FlatShapes(Drawing& drawing, std::uint32_t zero_layer) : drawing_(drawing), zero_layer_(zero_layer) {}
+    FlatShapes(Drawing& drawing, const Contents& contents);
 
     /// \pre no insertion
     void add(const Entity& entity, const Placement& placement);
@@ -40,9 +40,11 @@ private:
     void face(const FaceEntity& face, const Transform& map);
     void text(const TextEntity& text, const Entity& entity, const Placement& placement, const Transform& map);
     void dimension(const DimensionEntity& dimension, const Entity& entity, const Placement& placement);
+    [[nodiscard]] std::string written(const DimensionEntity& dimension) const;
 
     Drawing& drawing_;
-    std::uint32_t zero_layer_;
+    const Contents& contents_;
+    std::uint32_t zero_layer_ = UINT32_MAX;  ///< the one called "0"
     Shape shape_;
     bool is_raised_ = false;
 };

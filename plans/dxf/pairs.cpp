@@ -103,6 +103,7 @@ private:
             refuse(
                 "P704", at.line,
                 "The drawing is damaged: section " + section_ + "\" does not end before the next one; save it again.");
+        ++sections_;
         Pair name;
         do next(name);
         while (name.code == 999);
@@ -110,7 +111,6 @@ private:
             refuse("P704", name.line, "The drawing is damaged: a section without a name; save it again.");
         section_ = shown(name.value);
         inside_ = true;
-        ++sections_;
     }
 
     void close(const Pair& at) {

@@ -233,6 +233,11 @@ void RecordSource::write_record() {
             if (pair.code >= 40 && pair.code <= 59 && pair.code != 42) continue;
         }
         if (head_.value == "SPLINE" && pair.code >= 72 && pair.code <= 74) continue;
+        // dxflib tells the style of a dimension, which nobody asks for, and not the block that draws it.
+        if (head_.value == "DIMENSION" && (pair.code == 2 || pair.code == 3)) {
+            if (pair.code == 2) write_text(3, pair.value);
+            continue;
+        }
         write_pair(pair);
     }
     if (head_.value == "SOLID" || head_.value == "TRACE" || head_.value == "3DFACE") write_last_corner();

@@ -142,6 +142,18 @@ TEST(DrawingTexts, LinearDimensionMeasuresAlongItsAngle) {
     EXPECT_EQ(drawing.layers.at(drawing.dimensions[0].layer).name, "D");
 }
 
+TEST(DrawingTexts, DimensionTellsWhatItsPictureShows) {
+    const std::string picture = block("*D7", line(0, 0, 5, 0) + entity("MTEXT", {{1, "{\\H1;12'-6\"}"}}));
+    const Drawing drawing =
+        read({entity("DIMENSION", {{2, "*D7"}, {3, "STANDARD"}, {70, 33}, {13, 0}, {23, 0}, {14, 150}, {24, 0}}) +
+                  entity("DIMENSION", {{3, "*D7"}, {70, 33}, {13, 0}, {23, 0}, {14, 150}, {24, 0}}),
+              picture});
+    EXPECT_EQ(drawing.dimensions.at(0).written, "12'-6\"");
+    EXPECT_EQ(drawing.dimensions.at(0).text, "");
+    EXPECT_EQ(drawing.dimensions.at(1).written, "");
+    EXPECT_TRUE(drawing.shapes.empty());
+}
+
 TEST(DrawingTexts, OtherDimensionsAreNone) {
     EXPECT_TRUE(read_entities(entity("DIMENSION", {{70, 4}, {15, 1}, {25, 1}})).dimensions.empty());
 }
