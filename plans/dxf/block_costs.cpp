@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "plans/dxf/words.h"
 
 namespace enfilade::plans::dxf {
 namespace {
@@ -71,10 +72,10 @@ private:
         const std::string& name = contents_.blocks[index].name;
         if (entry.open)
             throw InputError("P706", file_, line, 0,
-                             "The block \"" + name.substr(0, 100) + "\" stands in itself; take that insertion out.");
+                             "The block \"" + shortened(name) + "\" stands in itself; take that insertion out.");
         if (depth + entry.height > limits_.depth)
             throw InputError("P707", file_, line, 0,
-                             "The block \"" + name.substr(0, 100) + "\" is nested deeper than " +
+                             "The block \"" + shortened(name) + "\" is nested deeper than " +
                                  std::to_string(limits_.depth) + " blocks; explode some of them.");
         if (entry.done) return entry;
         use_.used[index] = true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plans/dxf/words.h"
+
 namespace enfilade::plans::dxf {
 namespace {
 
@@ -71,7 +73,7 @@ void add_findings(Drawing& drawing, const Contents& contents, const BlockUse& us
     if (all.invisible.count > 0) say("P716", Severity::Note, entities(all.invisible) + " set invisible left out.", "");
     for (const auto& [name, tally] : use.missing)
         say("P717", Severity::Warning,
-            "The block \"" + name.substr(0, 100) + "\" is not in the file; its insertions are left out: " +
+            "The block \"" + shortened(name) + "\" is not in the file; its insertions are left out: " +
                 std::to_string(tally.count) + ", " + first_at(tally) + ".",
             "Bind external references before saving the drawing as DXF.");
     if (all.cut_texts.count > 0)
@@ -81,7 +83,7 @@ void add_findings(Drawing& drawing, const Contents& contents, const BlockUse& us
             "");
     if (!contents.code_page.empty())
         say("P719", Severity::Warning,
-            "The code page \"" + contents.code_page.substr(0, 40) + "\" is not known; texts are read as ANSI_1252.",
+            "The code page \"" + shortened(contents.code_page, 40) + "\" is not known; texts are read as ANSI_1252.",
             "Save the drawing in a newer DXF version (2007 or later), whose texts are UTF-8.");
 }
 

@@ -215,13 +215,13 @@ void FlatShapes::dimension(const DimensionEntity& dimension, const Entity& entit
     drawing_.dimensions.push_back({measured, dimension.text, a, b, layer_of(entity, placement), written(dimension)});
 }
 
-/// The first text of the block that draws the dimension.
+/// The first text of the block that draws the dimension, unless it is longer than any measure.
 std::string FlatShapes::written(const DimensionEntity& dimension) const {
     const auto block = contents_.block_index.find(dimension.picture);
     if (block == contents_.block_index.end()) return {};
     for (const Entity& entity : contents_.blocks[block->second].entities)
         if (const auto* text = std::get_if<TextEntity>(&entity.shape); text != nullptr && !text->text.empty())
-            return text->text.substr(0, 200);
+            return text->text.size() <= 200 ? text->text : std::string();
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "plans/dxf/drawing.h"
 #include "plans/dxf/entities.h"
 #include "plans/dxf/stroke_box.h"
+#include "plans/dxf/words.h"
 #include "plans/number_text.h"
 
 namespace enfilade::plans {
@@ -42,7 +43,7 @@ std::string names_of(const std::vector<Layer>& layers) {
     constexpr std::size_t most = 40;
     std::string list;
     for (std::size_t k = 0; k < std::min(layers.size(), most); ++k)
-        list += (k == 0 ? "\"" : ", \"") + layers[k].name.substr(0, 100) + "\"";
+        list += (k == 0 ? "\"" : ", \"") + dxf::shortened(layers[k].name) + "\"";
     if (layers.size() > most) list += " and " + std::to_string(layers.size() - most) + " more";
     return list;
 }

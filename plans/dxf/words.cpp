@@ -242,6 +242,13 @@ std::string Words::utf8(std::string_view bytes) {
                                                                                             : without_escapes(text);
 }
 
+std::string shortened(const std::string& text, std::size_t most) {
+    if (text.size() <= most) return text;
+    std::size_t end = 0;
+    for (std::size_t at = 0; at <= most; at += std::max<std::size_t>(utf8_length(text, at), 1)) end = at;
+    return text.substr(0, end) + "...";
+}
+
 std::string plain_text(std::string_view text) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

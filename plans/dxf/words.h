@@ -31,6 +31,9 @@ private:
     void* converter_ = nullptr;  ///< an iconv_t
 };
 
+/// At most so many bytes of a UTF-8 text, whole letters, with dots where something is cut: for sentences.
+[[nodiscard]] std::string shortened(const std::string& text, std::size_t most = 100);
+
 /// Of a TEXT: "%%d" and its like are characters, underlines are taken out.
 [[nodiscard]] std::string plain_text(std::string_view text);
 

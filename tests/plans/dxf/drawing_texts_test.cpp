@@ -126,6 +126,13 @@ TEST(DrawingTexts, EmptyOnesAreNone) {
     EXPECT_TRUE(read_entities(entity("TEXT", {{1, "  "}}) + entity("MTEXT", {{1, "{\\H2;}"}})).texts.empty());
 }
 
+TEST(DrawingTexts, SentencesCutBetweenLetters) {
+    EXPECT_EQ(dxf::shortened("abc", 3), "abc");
+    EXPECT_EQ(dxf::shortened("abcd", 3), "abc...");
+    EXPECT_EQ(dxf::shortened("ab\u00FC", 3), "ab...");
+    EXPECT_EQ(dxf::shortened("a\u00FCd", 3), "a\u00FC...");
+}
+
 TEST(DrawingTexts, LinearDimensionMeasuresAlongItsAngle) {
     const Drawing drawing =
         read_entities(entity("DIMENSION", {{8, "D"}, {70, 32}, {1, ""}, {13, 0}, {23, 0}, {14, 3}, {24, 4}, {50, 0}}) +
