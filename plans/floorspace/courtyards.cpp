@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "plans/box_index.h"
 #include "plans/vector2.h"
 
 namespace enfilade::plans {
@@ -54,9 +53,8 @@ public:
 
 private:
     static std::vector<PlanBox> boxes_of(const FloorSpaces& spaces) {
-        std::vector<PlanBox> boxes(spaces.outlines.size());
-        for (std::size_t o = 0; o < boxes.size(); ++o)
-            for (const Point p : spaces.outlines[o].corners) boxes[o].add(p);
+        std::vector<PlanBox> boxes;
+        for (const FloorOutline& outline : spaces.outlines) boxes.push_back(outline.box);
         return boxes;
     }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plans/box_index.h"
 #include "plans/vector2.h"
 
 namespace enfilade::plans {
@@ -38,6 +37,7 @@ std::optional<FloorOutline> outline_of(const FloorStory& story, const FloorRing&
     while (outline.corners.size() > 1 && distance(outline.corners.front(), outline.corners.back()) <= floor_tolerance)
         outline.corners.pop_back();
     if (outline.corners.size() < 3) return {};
+    for (const Point p : outline.corners) outline.box.add(p);
     outline.area = signed_area(outline.corners);
     if (outline.area < 0) std::reverse(outline.corners.begin(), outline.corners.end());
     outline.area = std::abs(outline.area);
@@ -65,6 +65,8 @@ std::uint32_t other_beside(const FloorGraph& graph, const FloorPiece& piece, std
 }  // namespace
 
 bool within(Point p, const FloorOutline& outline) {
+    const PlanBox& box = outline.box;
+    if (p.x < box.min.x || p.x > box.max.x || p.y < box.min.y || p.y > box.max.y) return false;
     const std::vector<Point>& ring = outline.corners;
     bool in = false;
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -144,9 +146,8 @@ FloorSpaces find_spaces(const FloorStory& story) {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping(const FloorStory& story, const FloorSpaces& spaces,
                                                                  const FloorGraph& graph) {
-    std::vector<PlanBox> boxes(spaces.outlines.size());
-    for (std::size_t o = 0; o < boxes.size(); ++o)
-        for (const Point p : spaces.outlines[o].corners) boxes[o].add(p);
+    std::vector<PlanBox> boxes;
+    for (const FloorOutline& outline : spaces.outlines) boxes.push_back(outline.box);
     const BoxIndex index(boxes);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     // No piece crosses a side of an outline: a point just inside one of its sides tells for the whole piece.

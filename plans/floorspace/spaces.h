@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "plans/box_index.h"
 #include "plans/floorspace/edge_graph.h"
 
 namespace enfilade::plans {
@@ -19,6 +20,7 @@ struct FloorRing {
 struct FloorOutline {
     std::uint32_t space = 0;     ///< into FloorStory::spaces
     std::vector<Point> corners;  ///< counter-clockwise, none twice in a row
+    PlanBox box;                 ///< around them
     double area = 0;
     double perimeter = 0;
 };
