@@ -1,7 +1,7 @@
 #pragma once
 // FloorspaceJS texts made by hand: a story of rectangles that share their edges.
 
-#include <array>
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -26,12 +26,11 @@ public:
             edges += (k > 0 ? ",\"e" : "\"e") + std::to_string(number) + "\"";
             order += (k > 0 ? "," : "") + std::string(forward ? "1" : "0");
         }
-        const std::string n = std::to_string(space_count_);
-        faces_ += (space_count_ > 0 ? ",\n" : "") + ("{\"id\":\"f" + n + "\",\"edge_ids\":[" + edges) +
-                  "],\"edge_order\":[" + order + "]}";
-        spaces_ += (space_count_ > 0 ? ",\n" : "") + ("{\"id\":\"s" + n + "\",\"name\":\"" + name) +
-                   "\",\"face_id\":\"f" + n + "\"" + (more.empty() ? "" : "," + more) + "}";
-        return space_count_++;
+        const std::string n = std::to_string(spaces_.size());
+        faces_.push_back("{\"id\":\"f" + n + "\",\"edge_ids\":[" + edges + "],\"edge_order\":[" + order + "]}");
+        spaces_.push_back("{\"id\":\"s" + n + "\",\"name\":\"" + name + "\",\"face_id\":\"f" + n + "\"" +
+                          (more.empty() ? "" : "," + more) + "}");
+        return spaces_.size() - 1;
     }
 
     std::size_t box(const std::string& name, double x0, double y0, double x1, double y1, const std::string& more = "") {
@@ -47,44 +46,49 @@ public:
 
     void window(const std::string& id, const std::string& definition, const std::string& edge,
                 const std::string& alpha) {
-        windows_ += (windows_.empty() ? "" : ",\n") +
-                    ("{\"id\":\"" + id + "\",\"window_definition_id\":\"" + definition) + "\",\"edge_id\":\"" + edge +
-                    "\",\"alpha\":" + alpha + "}";
+        windows_.push_back("{\"id\":\"" + id + "\",\"window_definition_id\":\"" + definition + "\",\"edge_id\":\"" +
+                           edge + "\",\"alpha\":" + alpha + "}");
     }
     void door(const std::string& id, const std::string& definition, const std::string& edge, const std::string& alpha) {
-        doors_ += (doors_.empty() ? "" : ",\n") + ("{\"id\":\"" + id + "\",\"door_definition_id\":\"" + definition) +
-                  "\",\"edge_id\":\"" + edge + "\",\"alpha\":" + alpha + "}";
+        doors_.push_back("{\"id\":\"" + id + "\",\"door_definition_id\":\"" + definition + "\",\"edge_id\":\"" + edge +
+                         "\",\"alpha\":" + alpha + "}");
     }
 
-    /// `members`: of the story, besides its geometry and what stands in it.
+    /// `members`: of the story, besides its geometry and what stands in it. `backwards`: all lists from their ends.
     [[nodiscard]] std::string story(const std::string& members =
                                         "\"id\":\"g\",\"name\":\"Ground\","
-                                        "\"floor_to_ceiling_height\":3") const {
-        return "{" + members + ",\n\"geometry\":{\"id\":\"geometry\",\"vertices\":[" + vertex_list_ +
-               "],\n\"edges\":[" + edge_list_ + "],\n\"faces\":[" + faces_ + "]},\n\"spaces\":[" + spaces_ +
-               "],\n\"shading\":[],\n\"windows\":[" + windows_ + "],\n\"doors\":[" + doors_ + "]}";
+                                        "\"floor_to_ceiling_height\":3",
+                                    bool backwards = false) const {
+        const auto list = [&](const char* key, std::vector<std::string> items) {
+            if (backwards) std::reverse(items.begin(), items.end());
+            std::string text = "\"" + std::string(key) + "\":[";
+            for (std::size_t k = 0; k < items.size(); ++k) text += (k > 0 ? ",\n" : "") + items[k];
+            return text + "]";
+        };
+        return "{" + members + ",\n\"geometry\":{\"id\":\"geometry\"," + list("vertices", vertex_list_) + ",\n" +
+               list("edges", edge_list_) + ",\n" + list("faces", faces_) + "},\n" + list("spaces", spaces_) +
+               ",\n\"shading\":[],\n" + list("windows", windows_) + ",\n" + list("doors", doors_) + "}";
     }
 
 private:
     std::size_t vertex(std::pair<double, double> at) {
         const auto [found, fresh] = vertices_.try_emplace(at, vertices_.size());
         if (fresh)
-            vertex_list_ += (found->second > 0 ? ",\n" : "") + ("{\"id\":\"v" + std::to_string(found->second)) +
-                            "\",\"x\":" + std::to_string(at.first) + ",\"y\":" + std::to_string(at.second) + "}";
+            vertex_list_.push_back("{\"id\":\"v" + std::to_string(found->second) + "\",\"x\":" +
+                                   std::to_string(at.first) + ",\"y\":" + std::to_string(at.second) + "}");
         return found->second;
     }
     std::size_t edge(std::size_t a, std::size_t b) {
         const auto [found, fresh] = edges_.try_emplace({a, b}, edges_.size());
         if (fresh)
-            edge_list_ += (found->second > 0 ? ",\n" : "") + ("{\"id\":\"e" + std::to_string(found->second)) +
-                          "\",\"vertex_ids\":[\"v" + std::to_string(a) + "\",\"v" + std::to_string(b) + "\"]}";
+            edge_list_.push_back("{\"id\":\"e" + std::to_string(found->second) + "\",\"vertex_ids\":[\"v" +
+                                 std::to_string(a) + "\",\"v" + std::to_string(b) + "\"]}");
         return found->second;
     }
 
     std::map<std::pair<double, double>, std::size_t> vertices_;
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges_;
-    std::size_t space_count_ = 0;
-    std::string vertex_list_, edge_list_, faces_, spaces_, windows_, doors_;
+    std::vector<std::string> vertex_list_, edge_list_, faces_, spaces_, windows_, doors_;
 };
 
 /// Definitions "single" (2 x 1.5 at 0.9), "row" (1 x 1 at 1, every 2 m), "half" (ratio 0.5 at 0.8), door "door".

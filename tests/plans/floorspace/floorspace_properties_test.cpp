@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -126,6 +127,35 @@ RC_GTEST_PROP(FloorspaceProperties, EveryRoomAndDoorComesBack, ()) {
     for (std::size_t k = 0; k < found.size(); ++k) RC_ASSERT(std::abs(found[k] - expected[k]) < 0.02);
     const std::string json = write_json(plan);
     RC_ASSERT(write_json(read_json(json, "plan.json")) == json);
+}
+
+/// A wall by what is built of it, ends in order.
+std::vector<std::array<double, 5>> wall_places(const Plan& plan) {
+    std::vector<std::array<double, 5>> places;
+    for (const Wall& wall : plan.storeys.at(0).walls) {
+        const bool turned = std::pair(wall.end.x, wall.end.y) < std::pair(wall.start.x, wall.start.y);
+        const Point a = turned ? wall.end : wall.start;
+        const Point b = turned ? wall.start : wall.end;
+        places.push_back({a.x, a.y, b.x, b.y, wall.thickness});
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+RC_GTEST_PROP(FloorspaceProperties, TheOrderInTheFileChangesNothing, ()) {
+    const std::vector<Cell> cells = any_cells();
+    const bool split = *rc::gen::arbitrary<bool>();
+    FloorText text;
+    for (const Cell& cell : cells) text.space("room", ring(cell, cells, split, {}));
+    text.window("w", "half", "e0", "0.5");
+    text.door("d", "door", "e2", "0.5");
+    const std::string members = "\"id\":\"g\",\"floor_to_ceiling_height\":3";
+    const Plan forwards = testing::read_floor({text.story(members)});
+    const Plan backwards = testing::read_floor({text.story(members, true)});
+    RC_ASSERT(wall_places(forwards) == wall_places(backwards));
+    RC_ASSERT(found_areas(forwards) == found_areas(backwards));
+    RC_ASSERT(forwards.storeys[0].openings.size() == backwards.storeys[0].openings.size());
+    RC_ASSERT(forwards.findings.size() == backwards.findings.size());
 }
 
 }  // namespace
