@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "modeler/meshes/mesh.h"
 
@@ -27,6 +28,9 @@ namespace enfilade::modeler {
 
 /// CityJSON 1.0 to 2.0: every Solid, MultiSolid and CompositeSolid of every CityObject and LoD.
 [[nodiscard]] Mesh read_city_json(std::string_view bytes, const std::string& file);
+
+/// The vertex that stands for each place: equal points, or points within a distance, share the lowest.
+[[nodiscard]] std::vector<std::uint32_t> vertex_places(const Mesh& mesh, double distance);
 
 /// Makes points within `distance` of each other one: the lowest of them takes the place of all (P811).
 void weld(Mesh& mesh, double distance);

@@ -83,8 +83,9 @@ private:
     PointIndex index_;
 };
 
-/// The vertex that takes the place of each.
-std::vector<std::uint32_t> representatives(const Mesh& mesh, double distance) {
+}  // namespace
+
+std::vector<std::uint32_t> vertex_places(const Mesh& mesh, double distance) {
     std::vector<std::uint32_t> first_equal;  // [distinct point] lowest vertex there
     std::vector<std::uint32_t> distinct_of(mesh.points.size());
     std::vector<MeshPoint> distinct;
@@ -99,6 +100,8 @@ std::vector<std::uint32_t> representatives(const Mesh& mesh, double distance) {
     for (std::uint32_t v = 0; v < result.size(); ++v) result[v] = first_equal[clusters.find(distinct_of[v])];
     return result;
 }
+
+namespace {
 
 /// Sets of points that reach farther than the distance, each point near the next.
 std::size_t count_chains(const Mesh& mesh, const std::vector<std::uint32_t>& lowest, double distance) {
@@ -138,7 +141,7 @@ std::size_t drop_collapsed(Mesh& mesh, const std::vector<std::uint32_t>& lowest)
 }  // namespace
 
 void weld(Mesh& mesh, double distance) {
-    const std::vector<std::uint32_t> lowest = representatives(mesh, distance);
+    const std::vector<std::uint32_t> lowest = vertex_places(mesh, distance);
     std::size_t welded = 0;
     mesh.merged.assign(mesh.points.size(), false);
     for (std::uint32_t v = 0; v < lowest.size(); ++v)

@@ -1,0 +1,122 @@
+// G4 of meshes.
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "modeler/meshes/mesh_solids.h"
+
+namespace enfilade::modeler {
+namespace {
+
+/// Faces that cross, and those that share a place with them: one fault.
+class Clusters {
+public:
+    Clusters(const std::vector<Crossing>& crossings, const MeshTriangles& triangles,
+             const std::vector<std::uint32_t>& place)
+        : parent_(crossings.size()) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+        std::unordered_map<std::uint32_t, std::uint32_t> at;
+        for (std::uint32_t k = 0; k < crossings.size(); ++k)
+            for (const std::uint32_t t : {crossings[k].a, crossings[k].b})
+                for (const std::uint32_t v : triangles.corners[t])
+                    if (const auto [known, is_new] = at.try_emplace(place[v], k); !is_new) join(k, known->second);
+    }
+
+    /// The crossings of each, in order of their first.
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> all() {
+        std::vector<std::vector<std::uint32_t>> result;
+        std::vector<std::uint32_t> cluster_of(parent_.size(), UINT32_MAX);
+        for (std::uint32_t k = 0; k < parent_.size(); ++k) {
+            std::uint32_t& cluster = cluster_of[find(k)];
+            if (cluster == UINT32_MAX) cluster = std::uint32_t(result.size()), result.emplace_back();
+            result[cluster].push_back(k);
+        }
+        return result;
+    }
+
+private:
+    std::uint32_t find(std::uint32_t k) {
+        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+        return k;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = find(a), b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+    std::vector<std::uint32_t> parent_;
+};
+
+/// A point near both triangles: the middle of the box in which their boxes overlap.
+std::array<double, 3> place_of(const Mesh& mesh, const MeshTriangles& triangles, const Crossing& crossing) {
+    std::array<double, 3> point{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto range = [&](std::uint32_t t) {
+            const auto [a, b, c] = triangles.corners[t];
+            return std::minmax({mesh.points[a][i], mesh.points[b][i], mesh.points[c][i]});
+        };
+        const auto [low_a, high_a] = range(crossing.a);
+        const auto [low_b, high_b] = range(crossing.b);
+        point[i] = (std::max(low_a, low_b) + std::min(high_a, high_b)) / 2;
+    }
+    return point;
+}
+
+void report_cluster(const std::vector<Crossing>& crossings, const std::vector<std::uint32_t>& cluster,
+                    const MeshTriangles& triangles, MeshReport& report) {
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t k : cluster) {
+        faces.push_back(triangles.face[crossings[k].a]);
+        faces.push_back(triangles.face[crossings[k].b]);
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    const Crossing& first = crossings[cluster.front()];
+    const std::uint32_t f = triangles.face[first.a], g = triangles.face[first.b];
+    Finding finding{.code = "G4", .severity = Severity::Error};
+    finding.sentence = "Faces " + report.face(f) + " and " + report.face(g) +
+                       " meet where they share no corner or side: the surface goes through itself or touches itself.";
+    if (faces.size() > 2)
+        finding.sentence +=
+            " " + std::to_string(faces.size()) + " faces do so around here (" + report.faces(faces) + ").";
+    finding.hint = "Move the surface apart here, or cut the faces where they meet.";
+    report.put_at(finding, place_of(report.mesh(), triangles, first));
+    for (const std::uint32_t face : {f, g}) report.name_face(finding, face);
+    for (const std::uint32_t face : faces) report.blame.face[face] = true;
+    report.add(std::move(finding), "places where a surface goes through itself");
+}
+
+}  // namespace
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> check_crossings(const MeshTriangles& triangles,
+                                                                     const MeshPieces& pieces,
+                                                                     const std::vector<std::uint32_t>& place,
+                                                                     MeshReport& report, MeshCount& count) {
+    report.applied({"G4"});
+    bool complete = true;
+    const std::vector<Crossing> all = find_crossings(report.mesh(), triangles, pieces, place, complete);
+    count.crossing_pairs = all.size();
+    std::vector<Crossing> own;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> between;
+    for (const Crossing& crossing : all) {
+        const std::uint32_t f = triangles.face[crossing.a], g = triangles.face[crossing.b];
+        const std::uint32_t p = pieces.piece[f], q = pieces.piece[g];
+        if (p != q) between.emplace_back(std::min(p, q), std::max(p, q));
+        else if (report.blame.face[f] || report.blame.face[g] || (report.blame.crowded[f] && report.blame.crowded[g]))
+            report.suppress();
+        else own.push_back(crossing);
+    }
+    for (const auto& cluster : Clusters(own, triangles, place).all()) report_cluster(own, cluster, triangles, report);
+    if (!complete) {
+        Finding finding{.code = "G4", .severity = Severity::Warning};
+        finding.sentence = "The search for crossings was ended: there are far too many.";
+        finding.hint = "Mend those that are listed, then check again.";
+        report.add(std::move(finding), "ended searches");
+    }
+    std::sort(between.begin(), between.end());
+    between.erase(std::unique(between.begin(), between.end()), between.end());
+    return between;
+}
+
+}  // namespace enfilade::modeler
