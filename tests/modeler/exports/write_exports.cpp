@@ -11,6 +11,7 @@
 #include "modeler/exports/dot.h"
 #include "modeler/exports/gltf.h"
 #include "modeler/exports/graphml.h"
+#include "modeler/exports/hbjson.h"
 #include "modeler/exports/indoor_gml.h"
 #include "modeler/exports/obj.h"
 #include "modeler/space_parts.h"
@@ -69,6 +70,7 @@ int main(int argc, char** argv) {
         const accel::SceneView& view = plan.scene.view();
         write(stem + ".facts.json", facts(plan).dump(1, ' ', false, Json::error_handler_t::replace));
         write(stem + ".city.json", modeler::to_cityjson(plan.model));
+        write(stem + ".hbjson", modeler::to_hbjson(plan.model));
         write(stem + ".gml", modeler::to_indoorgml(plan.model));
         write(stem + ".dot", modeler::to_dot(view));
         write(stem + ".cells.dot", modeler::to_dot(view, modeler::GraphLevel::Cells));
