@@ -35,6 +35,8 @@ struct Shape {
     std::uint32_t first_stroke = 0;  ///< into Drawing::strokes
     std::uint32_t stroke_count = 0;
     int line = 0;  ///< of the file, where it begins; 0: unknown
+    /// Its layer is neither off nor frozen, and no insertion around it stands on a frozen layer.
+    bool visible = true;
 };
 
 /// A block set into the drawing. `x_axis`, `y_axis`: images of the block's unit vectors (their lengths are the scale;
@@ -54,6 +56,7 @@ struct DrawingText {
     Point at;
     double height = 0;
     std::uint32_t layer = 0;
+    bool visible = true;  ///< as `Shape::visible`
 };
 
 /// A linear dimension: what the drawing measures, and what is written beside it where that was typed by hand.
@@ -93,10 +96,10 @@ struct DrawingLimits {
     std::uint32_t depth = 32;  ///< of insertions in blocks
 };
 
-/// Reads model space: LINE, LWPOLYLINE and POLYLINE with bulges, ARC, CIRCLE, ELLIPSE and SPLINE (as arcs or strokes
-/// within `chord_error` of the drawing's size), SOLID, TEXT, MTEXT, DIMENSION, INSERT carried out with scale, rotation,
-/// mirror image (extrusion 0, 0, -1) and arrays. Throws InputError with the line where the file is no drawing, is cut
-/// off, nests its blocks in a circle, or asks for more than `limits`.
+/// Reads model space: LINE, LWPOLYLINE and POLYLINE with bulges, ARC, CIRCLE, ELLIPSE and SPLINE (as arcs, else as
+/// straight strokes that stay within 1e-4 of the curve's own size of it), SOLID, TEXT, MTEXT, DIMENSION, INSERT carried
+/// out with scale, rotation, mirror image (extrusion 0, 0, -1) and arrays. Throws InputError with the line where the
+/// file is no drawing, is cut off, nests its blocks in a circle, or asks for more than `limits`.
 [[nodiscard]] Drawing read_drawing(std::string_view bytes, const std::string& file_name,
                                    const DrawingLimits& limits = {});
 

@@ -120,7 +120,8 @@ struct Block {
 
 struct LayerEntry {
     std::string name;
-    bool visible = true;
+    bool frozen = false;
+    bool off = false;
 };
 
 /// How often something was left out or changed on the way, and where first.

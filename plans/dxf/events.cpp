@@ -56,7 +56,7 @@ std::uint32_t Events::layer_of(const std::string& raw_name) {
     const std::string name = raw_name.empty() ? "0" : words_.utf8(raw_name);
     const auto next = static_cast<std::uint32_t>(contents_.layers.size());
     const auto [place, is_new] = contents_.layer_index.try_emplace(folded(name), next);
-    if (is_new) contents_.layers.push_back({name, true});
+    if (is_new) contents_.layers.push_back({name, false, false});
     last_layer_ = raw_name;
     last_layer_index_ = place->second;
     return place->second;
@@ -80,8 +80,8 @@ void Events::setVariableInt(const std::string& key, int value, int /*code*/) {
 
 void Events::addLayer(const DL_LayerData& data) {
     const std::uint32_t index = layer_of(data.name);
-    // Frozen, or off: its colour is negative then.
-    contents_.layers[index].visible = (data.flags & 1) == 0 && !data.off && attributes.getColor() >= 0;
+    contents_.layers[index].frozen = (data.flags & 1) != 0;
+    contents_.layers[index].off = data.off || attributes.getColor() < 0;
 }
 
 void Events::addBlock(const DL_BlockData& data) {

@@ -61,7 +61,7 @@ private:
         const std::uint32_t layer = shapes_.layer_of(entity, placement);
         drawing_.insertions.push_back(
             {inner.name, layer, placement.insertion, at, flat(map.x), flat(map.y), insert.attributes});
-        block(inner, {map, layer, index});
+        block(inner, {map, layer, index, placement.frozen || contents_.layers[layer].frozen});
     }
 
     const Contents& contents_;
@@ -76,7 +76,8 @@ private:
 Drawing explode(const Contents& contents, const DrawingLimits& limits, const std::string& file_name) {
     const BlockUse use = check_costs(contents, limits, file_name);
     Drawing drawing;
-    for (const LayerEntry& layer : contents.layers) drawing.layers.push_back({layer.name, layer.visible, 0, 0});
+    for (const LayerEntry& layer : contents.layers)
+        drawing.layers.push_back({layer.name, !layer.frozen && !layer.off, 0, 0});
     drawing.declared_unit = contents.unit;
     drawing.linear_format = contents.linear_format;
     drawing.metric = contents.metric;

@@ -87,6 +87,7 @@ void FlatShapes::begin(ShapeKind kind, const Entity& entity, const Placement& pl
     shape_.layer = layer_of(entity, placement);
     shape_.block = placement.insertion;
     shape_.line = entity.line;
+    shape_.visible = !placement.frozen && drawing_.layers[shape_.layer].visible;
     shape_.first_stroke = static_cast<std::uint32_t>(drawing_.strokes.size());
 }
 
@@ -198,7 +199,7 @@ void FlatShapes::text(const TextEntity& text, const Entity& entity, const Placem
     if (!within_bounds(at) || !(height <= largest_number)) return broken.add(entity.line);
     if (text.text.empty()) return;
     const std::uint32_t layer = layer_of(entity, placement);
-    drawing_.texts.push_back({text.text, at, height, layer});
+    drawing_.texts.push_back({text.text, at, height, layer, !placement.frozen && drawing_.layers[layer].visible});
     ++drawing_.layers[layer].text_count;
 }
 

@@ -11,6 +11,7 @@ struct Placement {
     Transform map;
     std::uint32_t layer = UINT32_MAX;  ///< of the insertion, for what stands on "0"; none in model space
     std::uint32_t insertion = UINT32_MAX;
+    bool frozen = false;  ///< an insertion around it stands on a frozen layer
 };
 
 /// Adds shapes, texts and dimensions to a drawing. What has no extent or leaves the bounds of numbers is counted in

@@ -275,6 +275,9 @@ void RecordSource::write_pair(const Pair& pair) {
         return;
     }
     if ((!whole_number && !is_real(pair.code)) || !value) return;
+    // What dxflib takes anyway where it is absent: it spends most of its time on numbers.
+    const bool height = pair.code >= 30 && pair.code <= 37;
+    if (*value == (pair.code == 230 ? 1 : 0) && (height || pair.code >= 210)) return;
     text_ += std::to_string(pair.code);
     text_ += '\n';
     if (whole_number) text_ += std::to_string(whole_of(pair.value).value_or(0));

@@ -124,6 +124,21 @@ TEST(DrawingBlocks, LayerZeroTakesThatOfTheInsertion) {
     EXPECT_EQ(drawing.layers.at(drawing.insertions.at(2).layer).name, "INNER");
 }
 
+TEST(DrawingBlocks, FrozenInsertionsHideWhatStandsInThem) {
+    const std::string inside = line(0, 0, 1, 0, "shown") + line(0, 0, 2, 0) + entity("TEXT", {{8, "shown"}, {1, "A"}});
+    const std::string blocks = block("B", inside) + block("OUTER", insert("B", {}, "shown"));
+    const auto shown = [&](const char* on_layer, const char* name) {
+        const Drawing drawing = read({insert(name, {}, on_layer), blocks, "",
+                                      layer("0") + layer("shown") + layer("frozen", 1) + layer("off", 0, -1)});
+        return std::vector<bool>{drawing.shapes.at(0).visible, drawing.shapes.at(1).visible,
+                                 drawing.texts.at(0).visible};
+    };
+    EXPECT_EQ(shown("shown", "B"), (std::vector<bool>{true, true, true}));
+    EXPECT_EQ(shown("frozen", "B"), (std::vector<bool>{false, false, false}));
+    EXPECT_EQ(shown("frozen", "OUTER"), (std::vector<bool>{false, false, false}));
+    EXPECT_EQ(shown("off", "B"), (std::vector<bool>{true, false, true}));  // hides only what takes its layer
+}
+
 TEST(DrawingBlocks, MissingOneIsReportedWithItsLine) {
     const File file = {line(0, 0, 1, 1) + insert("NOWHERE", {})};
     const Drawing drawing = read(file);
