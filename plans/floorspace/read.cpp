@@ -22,6 +22,12 @@ public:
         plan_.name = std::filesystem::path(file_name).stem().string();
         plan_.ground_level = 0;
         const std::vector<FloorLevel> levels = find_floor_levels(file_, file_name, options_.storey_height);
+        for (const FloorStory& story : file_.stories) {
+            spaces_.push_back(find_spaces(story));
+            graphs_.push_back(make_floor_graph(story, spaces_.back().edge_used));
+            voids_.push_back(find_voids(story, spaces_.back(), graphs_.back(), options_.wall_thickness));
+        }
+        find_covered(spaces_, voids_);
         for (std::size_t k = 0; k < file_.stories.size(); ++k) read_story(k, levels[k]);
         report_file();
         return std::move(plan_);
@@ -39,8 +45,8 @@ private:
         storey.slab_thickness = level.slab;
         report_level(story, storey, level, k + 1 < file_.stories.size());
 
-        const FloorSpaces spaces = find_spaces(story);
-        const FloorGraph graph = make_floor_graph(story, spaces.edge_used);
+        const FloorSpaces& spaces = spaces_[k];
+        const FloorGraph& graph = graphs_[k];
         const FloorWalls walls = make_walls(story, spaces, graph, options_.wall_thickness);
         for (const FloorWall& from : walls.walls) {
             Wall wall;
@@ -55,7 +61,7 @@ private:
             if (!std::binary_search(walls.lost.begin(), walls.lost.end(), o))
                 add_room(story, spaces.outlines[o], storey);
         report_spaces(story, spaces, walls, graph, storey);
-        add_courtyards(find_courtyards(story, spaces, graph, options_.wall_thickness), storey);
+        add_courtyards(voids_[k], storey);
         place_openings(file_, story, graph, walls, level.wall_height, storey, report_);
         open_to_below(k, spaces);
         report_left_out(story, spaces, storey);
@@ -74,19 +80,24 @@ private:
         storey.rooms.push_back(std::move(room));
     }
 
-    void add_courtyards(const std::vector<FloorCourtyard>& courtyards, Storey& storey) {
-        for (const FloorCourtyard& courtyard : courtyards) {
+    void add_courtyards(const FloorVoids& voids, Storey& storey) {
+        for (const FloorCourtyard& courtyard : voids.courtyards) {
+            if (courtyard.narrow) continue;
+            const Point corner = courtyard.outline.corners[0];
+            Finding& finding =
+                report_.add("P768", Severity::Note, storey,
+                            "Spaces on storey " + called(storey) + " surround " +
+                                rounded_text(courtyard.outline.area, 1) + " m2 that belong to none of them: " +
+                                (courtyard.covered ? "it is a room without a name, for the storeys above cover it."
+                                                   : "it is a courtyard, open to the sky."),
+                            "Draw a space there if it is meant to be a room.");
+            finding.point = std::array{corner.x, corner.y, storey.elevation};
+            if (courtyard.covered) continue;
             Room room;
             room.id = ids_.take("courtyard-" + storey.id);
             room.kind = "courtyard";
-            room.polygon = courtyard.corners;
-            Finding& finding =
-                report_.add("P768", Severity::Note, storey,
-                            "Spaces on storey " + called(storey) + " surround " + rounded_text(courtyard.area, 1) +
-                                " m2 that belong to none of them: it is a courtyard, open to the sky.",
-                            "Draw a space there if it is meant to be a room.");
+            room.polygon = courtyard.outline.corners;
             finding.elements.push_back({"room", room.id, ""});
-            finding.point = std::array{courtyard.corners[0].x, courtyard.corners[0].y, storey.elevation};
             storey.rooms.push_back(std::move(room));
         }
     }
@@ -255,6 +266,9 @@ private:
     }
 
     FloorFile file_;
+    std::vector<FloorSpaces> spaces_;  ///< [stories], as the next two
+    std::vector<FloorGraph> graphs_;
+    std::vector<FloorVoids> voids_;
     const ReadOptions& options_;
     Plan plan_;
     FloorElementIds ids_;

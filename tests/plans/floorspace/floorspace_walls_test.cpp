@@ -224,6 +224,53 @@ TEST(FloorspaceRooms, AreNoCourtyardsWhereAnotherSpaceLies) {
     EXPECT_EQ(read_floor({text.story()}).storeys[0].rooms.size(), 6u);
 }
 
+/// Four spaces around 3..6 in both directions.
+FloorText ring_of_spaces() {
+    FloorText text;
+    text.box("S", 0, 0, 9, 3);
+    text.box("N", 0, 6, 9, 9);
+    text.box("W", 0, 3, 3, 6);
+    text.box("E", 6, 3, 9, 6);
+    return text;
+}
+
+std::size_t courtyards(const Storey& storey) {
+    return std::size_t(std::count_if(storey.rooms.begin(), storey.rooms.end(),
+                                     [](const Room& room) { return room.kind == "courtyard"; }));
+}
+
+TEST(FloorspaceRooms, AreNoCourtyardsUnderStoreysThatCoverThem) {
+    FloorText above;
+    above.box("All", 0, 0, 9, 9);
+    const Plan plan = read_floor({ring_of_spaces().story(), above.story()});
+    EXPECT_EQ(courtyards(plan.storeys[0]), 0u);
+    ASSERT_EQ(floor_findings(plan, "P768").size(), 1u);
+    EXPECT_NE(floor_findings(plan, "P768")[0].sentence.find("without a name"), std::string::npos);
+}
+
+TEST(FloorspaceRooms, AreCourtyardsThroughSeveralStoreysUpToTheSky) {
+    const std::string ring = ring_of_spaces().story();
+    const Plan open = read_floor({ring, ring, ring});
+    for (const Storey& storey : open.storeys) EXPECT_EQ(courtyards(storey), 1u);
+    FloorText roof;
+    roof.box("All", 0, 0, 9, 9);
+    const Plan closed = read_floor({ring, ring, ring, roof.story()});
+    for (const Storey& storey : closed.storeys) EXPECT_EQ(courtyards(storey), 0u);
+}
+
+TEST(FloorspaceRooms, AreCourtyardsUnderStoreysThatLeaveThemASmallSky) {
+    // The ring above is narrower, or covers but a part.
+    FloorText above;
+    above.box("S", 0, 0, 9, 4);
+    above.box("N", 0, 5, 9, 9);
+    above.box("W", 0, 4, 4, 5);
+    above.box("E", 5, 4, 9, 5);
+    EXPECT_EQ(courtyards(read_floor({ring_of_spaces().story(), above.story()}).storeys[0]), 1u);
+    FloorText half;
+    half.box("Half", 0, 0, 9, 4);
+    EXPECT_EQ(courtyards(read_floor({ring_of_spaces().story(), half.story()}).storeys[0]), 1u);
+}
+
 TEST(FloorspaceRooms, TakeTheirKindFromTheirNameOrSpaceType) {
     FloorText text;
     text.box("Corridor 2", 0, 0, 9, 2);
