@@ -42,12 +42,21 @@ bool looks_like_json(std::string_view bytes) {
     return rest.starts_with("{") || rest.starts_with("//") || rest.starts_with("/*");
 }
 
+/// Text and binary DXF, and DWG, which the reader of drawings refuses with its reason.
+bool looks_like_drawing(std::string_view bytes) {
+    if (bytes.starts_with("AutoCAD Binary DXF") || bytes.starts_with("AC10")) return true;
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    const std::size_t code = bytes.find_first_not_of(" \t\r\n");
+    if (code == std::string_view::npos) return false;
+    const std::string_view line = bytes.substr(code, bytes.find_first_of("\r\n", code) - code);
+    return line == "999" || (line == "0" && bytes.substr(0, 256).find("SECTION") != std::string_view::npos);
+}
+
 /// What the file seems to be, for the refusal.
 std::string guess(std::string_view bytes) {
     if (bytes.empty()) return "The file is empty";
     if (bytes.starts_with("<") || bytes.starts_with("\xEF\xBB\xBF<")) return "This is an XML file, not a plan";
     if (bytes.starts_with("ISO-10303-21")) return "IFC files are not read yet";
-    if (bytes.find("SECTION") < 64 || bytes.starts_with("AutoCAD")) return "DXF drawings are not read yet";
     return "This is no plan in a known format";
 }
 
@@ -58,10 +67,11 @@ Plan read(const std::filesystem::path& file, const ReadOptions& options) {
     if (is_zip(bytes)) return read_sweet_home(std::as_bytes(std::span(bytes)), file.string());
     if (looks_like_json(bytes))
         return is_floorspace(bytes) ? read_floorspace(bytes, file.string(), options) : read_json(bytes, file.string());
+    if (looks_like_drawing(bytes)) return read_dxf(bytes, file.string(), options);
     throw InputError("P109", file.string(),
                      guess(bytes) +
-                         "; the formats known are Enfilade's own JSON, FloorspaceJS JSON and Sweet "
-                         "Home 3D homes (.sh3d).");
+                         "; the formats known are Enfilade's own JSON, FloorspaceJS JSON, DXF drawings and Sweet Home "
+                         "3D homes (.sh3d).");
 }
 
 }  // namespace enfilade::plans

@@ -58,7 +58,8 @@ private:
     double insert_cost(const InsertEntity& insert, int line, std::uint32_t depth) {
         const auto place = contents_.block_index.find(insert.block);
         if (place == contents_.block_index.end()) {
-            use_.missing[insert.name].add(line);
+            const bool listed = use_.missing.size() < 20 || use_.missing.contains(insert.name);
+            use_.missing[listed ? insert.name : "and others"].add(line);
             return 0;
         }
         const Known& child = known(place->second, line, depth + 1);

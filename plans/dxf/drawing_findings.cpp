@@ -81,6 +81,11 @@ void add_findings(Drawing& drawing, const Contents& contents, const BlockUse& us
             "Texts longer than 1000 bytes cut: " + std::to_string(all.cut_texts.count) + ", " +
                 first_at(all.cut_texts) + ".",
             "");
+    if (contents.unit_code != 0 && !contents.unit)
+        say("P709", Severity::Warning,
+            "The drawing's unit ($INSUNITS " + std::to_string(contents.unit_code) +
+                ") is none that buildings are drawn in; it is passed over.",
+            "Give the unit.");
     if (!contents.code_page.empty())
         say("P719", Severity::Warning,
             "The code page \"" + shortened(contents.code_page, 40) + "\" is not known; texts are read as ANSI_1252.",

@@ -37,15 +37,27 @@ std::optional<Unit> unit_of_code(int code) {
 
 }  // namespace
 
+/// Takes one from what is left, and one more for each 64 bytes of text.
+bool Events::spend(std::size_t text_bytes) {
+    const std::size_t cost = 1 + text_bytes / 64;
+    if (full_line_ == 0 && cost > left_) full_line_ = source_.line();
+    if (full_line_ == 0) left_ -= cost;
+    return full_line_ == 0;
+}
+
 Block& Events::block() {
     if (refusing_) return refused_;
     return block_ == SIZE_MAX ? contents_.model : contents_.blocks[block_];
 }
 
-Shape3* Events::last() { return open_ && !block().entities.empty() ? &block().entities.back().shape : nullptr; }
+/// What takes more parts, if there is room for one.
+Shape3* Events::last() {
+    return open_ && spend() && !block().entities.empty() ? &block().entities.back().shape : nullptr;
+}
 
 void Events::add(Shape3 shape) {
-    open_ = true;
+    open_ = spend();
+    if (!open_) return;
     block().entities.push_back(
         {std::move(shape), layer_of(attributes.getLayer()), source_.line(), direction_of(*extrusion)});
 }
@@ -53,6 +65,7 @@ void Events::add(Shape3 shape) {
 /// Names ignore case; layers that no table lists are added as they come.
 std::uint32_t Events::layer_of(const std::string& raw_name) {
     if (last_layer_index_ != UINT32_MAX && raw_name == last_layer_) return last_layer_index_;
+    if (!spend(raw_name.size())) return 0;
     const std::string name = raw_name.empty() ? "0" : words_.utf8(raw_name);
     const auto next = static_cast<std::uint32_t>(contents_.layers.size());
     const auto [place, is_new] = contents_.layer_index.try_emplace(folded(name), next);
@@ -80,12 +93,14 @@ void Events::setVariableInt(const std::string& key, int value, int /*code*/) {
 
 void Events::addLayer(const DL_LayerData& data) {
     const std::uint32_t index = layer_of(data.name);
+    if (full_line_ != 0) return;
     contents_.layers[index].frozen = (data.flags & 1) != 0;
     contents_.layers[index].off = data.off || attributes.getColor() < 0;
 }
 
 void Events::addBlock(const DL_BlockData& data) {
     open_ = false;
+    if (!spend(data.name.size())) return;
     std::string key = folded(data.name);
     const auto [place, is_new] = contents_.block_index.try_emplace(key, contents_.blocks.size());
     refusing_ = !is_new;
@@ -182,7 +197,7 @@ void Events::addInsert(const DL_InsertData& data) {
 void Events::addAttribute(const DL_AttributeData& data) {
     Shape3* const shape = last();
     if (shape == nullptr) return;
-    if (auto* const insert = std::get_if<InsertEntity>(shape))
+    if (auto* const insert = std::get_if<InsertEntity>(shape); insert != nullptr && spend(data.text.size()))
         insert->attributes.push_back(plain_text(words_.utf8(data.text)));
 }
 

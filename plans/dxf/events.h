@@ -13,10 +13,15 @@
 namespace enfilade::plans::dxf {
 
 /// Listens to dxflib while it reads `source`. What comes between addBlock and endBlock goes to that block, the rest to
-/// model space. A second block of one name is not taken: the first one stands.
+/// model space. A second block of one name is not taken: the first one stands. After `most` entities, vertices, layers
+/// and blocks nothing more is taken.
 class Events : public DL_CreationAdapter {
 public:
-    Events(Contents& contents, const RecordSource& source) : contents_(contents), source_(source) {}
+    Events(Contents& contents, const RecordSource& source, std::size_t most)
+        : contents_(contents), source_(source), left_(most) {}
+
+    /// Where the first thing stands that was not taken; 0: everything was.
+    [[nodiscard]] int full_line() const { return full_line_; }
 
     void setVariableString(const std::string& key, const std::string& value, int code) override;
     void setVariableInt(const std::string& key, int value, int code) override;
@@ -46,6 +51,7 @@ public:
     void endSequence() override;
 
 private:
+    bool spend(std::size_t text_bytes = 0);
     Block& block();
     Shape3* last();
     void add(Shape3 shape);
@@ -55,6 +61,8 @@ private:
 
     Contents& contents_;
     const RecordSource& source_;
+    std::size_t left_;
+    int full_line_ = 0;
     Words words_;
     std::size_t block_ = SIZE_MAX;  ///< into the blocks; none: model space
     Block refused_;                 ///< takes the second block of a name

@@ -42,16 +42,22 @@ void refuse_other_formats(std::string_view bytes, const std::string& file) {
 /// The order of sections, records and the end of the file.
 class StructureCheck {
 public:
-    StructureCheck(std::string_view bytes, const std::string& file) : scanner_(bytes), file_(file) {}
+    StructureCheck(std::string_view bytes, const std::string& file, std::size_t largest_record)
+        : scanner_(bytes), file_(file), largest_record_(largest_record) {}
 
     void run() {
         Pair pair;
         while (next(pair)) {
             if (pair.code == 999) continue;
             if (pair.code != 0) {
+                if (++in_record_ > largest_record_)
+                    refuse("P708", pair.line,
+                           "The drawing has an entity of more than " + std::to_string(largest_record_) +
+                               " values, which no plan needs.");
                 if (!inside_) refuse_start(pair, "this pair belongs to no section");
                 continue;
             }
+            in_record_ = 0;
             if (pair.value == "EOF") {
                 if (inside_)
                     refuse("P703", pair.line,
@@ -120,6 +126,8 @@ private:
 
     PairScanner scanner_;
     const std::string& file_;
+    std::size_t largest_record_;
+    std::size_t in_record_ = 0;
     std::string section_;
     bool inside_ = false;
     int sections_ = 0;
@@ -160,9 +168,9 @@ PairState PairScanner::next(Pair& pair) {
     return PairState::Pair;
 }
 
-void check_structure(std::string_view bytes, const std::string& file_name) {
+void check_structure(std::string_view bytes, const std::string& file_name, std::size_t largest_record) {
     refuse_other_formats(bytes, file_name);
-    StructureCheck(bytes, file_name).run();
+    StructureCheck(bytes, file_name, largest_record).run();
 }
 
 }  // namespace enfilade::plans::dxf

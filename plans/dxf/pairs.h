@@ -1,6 +1,8 @@
 #pragma once
 // The lines of a DXF text: a group code, then its value, and so on to the end.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -32,7 +34,8 @@ private:
 };
 
 /// Throws InputError where the text is no DXF drawing whose sections are whole: DWG and binary files, lines out of
-/// step, a file that is cut off. What it lets pass consists of sections of records (a pair of code 0 each).
-void check_structure(std::string_view bytes, const std::string& file_name);
+/// step, a file that is cut off, a record of more than `largest_record` pairs. What it lets pass consists of sections
+/// of records, which a pair of code 0 begins.
+void check_structure(std::string_view bytes, const std::string& file_name, std::size_t largest_record = SIZE_MAX);
 
 }  // namespace enfilade::plans::dxf

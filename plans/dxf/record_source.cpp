@@ -187,7 +187,8 @@ bool RecordSource::wanted_entity() {
 bool RecordSource::counted_out() {
     const std::string_view kind = head_.value;
     if (kind == "ATTDEF") return true;  // what an attribute is to look like, not a text of the drawing
-    if (whole(67, 0) != 0) {
+    // In a block the flag tells where it was drawn, not where it is inserted.
+    if (block_.empty() && whole(67, 0) != 0) {
         left_out().paper_space.add(head_.line);
         return true;
     }
@@ -198,7 +199,9 @@ bool RecordSource::counted_out() {
     if (!holds(entity_kinds, kind)) {
         std::string name;
         for (const char c : kind.substr(0, 40)) name += c >= ' ' && c <= '~' ? c : '?';
-        left_out().unknown_kinds[name].add(head_.line);
+        // A hostile file has a new name each time.
+        std::map<std::string, Tally>& kinds = left_out().unknown_kinds;
+        kinds[kinds.size() < 100 || kinds.contains(name) ? name : "of other kinds"].add(head_.line);
         return true;
     }
     // Bits 16 and 64: meshes in space, drawn as polylines only by name.

@@ -12,20 +12,29 @@ namespace {
 
 iconv_t opened(void* converter) { return static_cast<iconv_t>(converter); }
 
-/// The name that iconv knows: "ANSI_1252" is CP1252, "DOS850" is CP850, "ISO8859-1" is ISO-8859-1.
+bool all_digits(std::string_view text) {
+    return !text.empty() && text.size() <= 5 && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The name that iconv knows: "ANSI_1252" is CP1252, "dos850" is CP850, "ISO8859-1" is ISO-8859-1. Empty for what no
+/// CAD program writes, for iconv knows more than a file should be able to ask for.
 std::string iconv_name(std::string_view page) {
     std::string name;
-    for (const char c : page) {
-        const bool good =
-            (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
-        if (good) name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    for (const char c : page.substr(0, 40)) {
+        if (c >= 'a' && c <= 'z') name += static_cast<char>(c - 'a' + 'A');
+        else if (c != '-' && c != '_' && c != ' ') name += c;
     }
-    for (const char* prefix : {"ANSI_", "DOS", "CP"})
-        if (name.starts_with(prefix)) return "CP" + name.substr(std::string_view(prefix).size());
-    if (name.starts_with("ISO8859")) return "ISO-8859" + name.substr(7);
-    if (name.starts_with("ISO_8859")) return "ISO-8859" + name.substr(8);
+    const std::string_view whole = name;
+    for (const std::string_view prefix : {"ANSI", "DOS", "CP"})
+        if (whole.starts_with(prefix) && all_digits(whole.substr(prefix.size())))
+            return "CP" + std::string(whole.substr(prefix.size()));
+    if (whole.starts_with("ISO8859") && all_digits(whole.substr(7))) return "ISO-8859-" + name.substr(7);
     if (name == "ASCII") return "CP1252";
-    return name;
+    if (name == "MACROMAN" || name == "MACINTOSH") return "MACINTOSH";
+    if (name == "UTF8") return "UTF-8";
+    for (const char* known : {"BIG5", "GB2312", "JOHAB"})
+        if (name == known) return name;
+    return {};
 }
 
 void append_utf8(std::string& out, std::uint32_t code) {

@@ -1,0 +1,124 @@
+// Ends of walls, and what lies ahead of them.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "plans/dxf/run_parts.h"
+#include "plans/vector2.h"
+
+namespace enfilade::plans {
+namespace {
+
+/// Where the axis of `run`, gone on beyond one end, meets that of `other`: how far ahead of the end (negative: behind),
+/// and how far beyond `other`'s nearer end (0 where it meets the run itself).
+struct Meeting {
+    double ahead = 0;
+    double beyond = 0;
+    double sine = 0;
+};
+std::optional<Meeting> meeting(const WallRun& run, bool at_end, const WallRun& other) {
+    const Point from = at_end ? run.start : run.end, to = at_end ? run.end : run.start;
+    const double length = distance(from, to), other_length = distance(other.start, other.end);
+    if (length < 1e-6 || other_length < 1e-6) return std::nullopt;
+    const Point d = (to - from) * (1 / length), e = (other.end - other.start) * (1 / other_length);
+    const double sine = cross(d, e);
+    if (std::abs(sine) < 0.12) return std::nullopt;
+    const double ahead = cross(other.start - to, e) / sine;
+    const double along = cross(other.start - to, d) / sine;
+    return Meeting{ahead, std::max({0.0, -along, along - other_length}), std::abs(sine)};
+}
+
+void move_end(WallRun& run, bool at_end, double ahead) {
+    const Point d = (run.end - run.start) * (1 / distance(run.start, run.end));
+    if (at_end) {
+        run.end = run.end + d * ahead;
+        return;
+    }
+    run.start = run.start - d * ahead;
+    for (RunOpening& opening : run.openings) opening.u0 += ahead, opening.u1 += ahead;
+}
+
+double length_of(const WallRun& run) { return distance(run.start, run.end); }
+
+}  // namespace
+
+void join_ends(std::vector<WallRun>& runs) {
+    std::vector<PlanBox> boxes(runs.size());
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        boxes[k].add(runs[k].start);
+        boxes[k].add(runs[k].end);
+        boxes[k] = boxes[k].grown(1.0);
+    }
+    const BoxIndex index(boxes);
+    // All ends are judged as they were found, then moved: the result does not depend on the order.
+    struct Move {
+        std::uint32_t run;
+        bool at_end;
+        double ahead;
+    };
+    std::vector<Move> moves;
+    for (std::uint32_t k = 0; k < runs.size(); ++k)
+        for (const bool at_end : {false, true}) {
+            const WallRun& run = runs[k];
+            std::optional<double> best;
+            index.near(at_end ? run.end : run.start, [&](std::uint32_t o) {
+                if (o == k) return;
+                const auto met = meeting(run, at_end, runs[o]);
+                if (!met) return;
+                const double reach = runs[o].thickness / 2 / met->sine + run.thickness / 2 * (1 / met->sine - 1) + 0.06;
+                if (std::abs(met->ahead) > reach || -met->ahead > 0.6 * length_of(run)) return;
+                if (met->beyond > run.thickness / 2 / met->sine + 0.06) return;
+                if (!best || std::abs(met->ahead) < std::abs(*best)) best = met->ahead;
+            });
+            if (best) moves.push_back({k, at_end, *best});
+        }
+    for (const Move& move : moves) {
+        move_end(runs[move.run], move.at_end, move.ahead);
+        (move.at_end ? runs[move.run].end_joined : runs[move.run].start_joined) = true;
+    }
+}
+
+void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>& strokes, const StrokeIndex& index,
+                     std::vector<bool>& used, const GapLimits& limits) {
+    const std::vector<WallRun> found = runs;
+    const Outside outside(found);
+    for (std::uint32_t k = 0; k < runs.size(); ++k)
+        for (const bool at_end : {false, true}) {
+            WallRun& run = runs[k];
+            if (at_end ? run.end_joined : run.start_joined) continue;
+            std::optional<double> nearest;
+            double half = 0;
+            for (std::uint32_t o = 0; o < found.size(); ++o) {
+                if (o == k) continue;
+                const auto met = meeting(run, at_end, found[o]);
+                if (!met || met->beyond > run.thickness || met->ahead < 0.3 || met->ahead > limits.drawn) continue;
+                if (nearest && met->ahead >= *nearest) continue;
+                nearest = met->ahead;
+                half = found[o].thickness / 2 / met->sine;
+            }
+            if (!nearest || *nearest - half < 0.3) continue;
+            const Point d = (run.end - run.start) * (1 / length_of(run));
+            const double u_end = dot(d, at_end ? run.end : run.start);
+            const double far = at_end ? u_end + *nearest - half : u_end - *nearest + half;
+            const GapPlace gap{d, dot(turned_left(d), run.start), std::min(u_end, far), std::max(u_end, far),
+                               run.thickness};
+            const GapEvidence seen = gap_evidence(gap, strokes, index);
+            if (!seen.fills(gap)) continue;
+            for (const std::uint32_t s : seen.strokes) used[s] = true;
+            const Point middle = d * ((gap.u0 + gap.u1) / 2) + turned_left(d) * gap.v;
+            const OpeningKind kind = kind_of(seen, outside.beside(middle, d, run.thickness, gap.u1 - gap.u0));
+            // What is not drawn over is wall, but for what may be the drawing's carelessness.
+            const double u0 = seen.u0 - gap.u0 < 0.15 ? gap.u0 : seen.u0;
+            const double u1 = gap.u1 - seen.u1 < 0.15 ? gap.u1 : seen.u1;
+            // The end moves first: openings are measured from the start.
+            move_end(run, at_end, *nearest);
+            (at_end ? run.end_joined : run.start_joined) = true;
+            const double from = dot(d, run.start);
+            run.openings.push_back({kind, u0 - from, u1 - from, seen.sill, seen.head});
+            std::stable_sort(run.openings.begin(), run.openings.end(),
+                             [](const RunOpening& l, const RunOpening& r) { return l.u0 < r.u0; });
+        }
+}
+
+}  // namespace enfilade::plans

@@ -1,0 +1,31 @@
+#pragma once
+// Internal to wall_runs: its steps.
+
+#include <vector>
+
+#include "plans/dxf/gap.h"
+#include "plans/dxf/wall_runs.h"
+
+namespace enfilade::plans {
+
+/// Whether the open lies on one side of an opening in a wall: rays from it along the normal meet no other run.
+class Outside {
+public:
+    explicit Outside(const std::vector<WallRun>& runs) : runs_(runs) {}
+    [[nodiscard]] bool beside(Point place, Point direction, double thickness, double width) const;
+
+private:
+    const std::vector<WallRun>& runs_;
+};
+
+/// Runs across other runs' ends: leads each end to the axis that it reaches within the walls' thickness. \post *_joined
+void join_ends(std::vector<WallRun>& runs);
+
+/// Ends that lead nowhere go on to the next wall ahead where a door or window is drawn in between.
+void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>& strokes, const StrokeIndex& index,
+                     std::vector<bool>& used, const GapLimits& limits);
+
+/// Doors and windows that are drawn over a run without a gap. `used`: [strokes], those that belong to a gap already.
+void place_symbols(std::vector<WallRun>& runs, const std::vector<SheetStroke>& strokes, std::vector<bool>& used);
+
+}  // namespace enfilade::plans

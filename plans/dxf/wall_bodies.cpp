@@ -1,0 +1,261 @@
+#include "plans/dxf/wall_bodies.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "plans/vector2.h"
+
+namespace enfilade::plans {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double same_direction = 0.4 * pi / 180;
+constexpr double bin = 0.005;  ///< metres of wall thickness
+
+struct Interval {
+    double low;
+    double high;
+};
+using Intervals = std::vector<Interval>;
+
+/// `from` without `taken`.
+Intervals without(Interval from, const Intervals& taken) {
+    Intervals rest = {from};
+    for (const Interval& t : taken) {
+        Intervals next;
+        for (const Interval& r : rest) {
+            if (t.high <= r.low || t.low >= r.high) {
+                next.push_back(r);
+                continue;
+            }
+            if (t.low > r.low) next.push_back({r.low, t.low});
+            if (t.high < r.high) next.push_back({t.high, r.high});
+        }
+        rest = std::move(next);
+    }
+    return rest;
+}
+
+struct Segment2 {
+    Point a;
+    Point b;
+    double angle = 0;  ///< [0, pi)
+    std::optional<double> height;
+};
+
+std::vector<Segment2> straight_strokes(const std::vector<SheetStroke>& strokes) {
+    std::vector<Segment2> segments;
+    for (const SheetStroke& s : strokes) {
+        if (s.stroke.bulge != 0 || distance(s.stroke.a, s.stroke.b) < 0.002) continue;
+        const Point d = s.stroke.b - s.stroke.a;
+        double angle = std::atan2(d.y, d.x);
+        if (angle < 0) angle += pi;
+        if (angle >= pi - 1e-9) angle -= pi;
+        std::optional<double> height;
+        if (s.rule && s.rule->height) height = s.rule->height;
+        else if (s.role == Role::LowWall) height = 1.0;
+        segments.push_back({s.stroke.a, s.stroke.b, angle, height});
+    }
+    std::sort(segments.begin(), segments.end(), [](const Segment2& l, const Segment2& r) {
+        return std::tie(l.angle, l.a.x, l.a.y, l.b.x, l.b.y) < std::tie(r.angle, r.a.x, r.a.y, r.b.x, r.b.y);
+    });
+    return segments;
+}
+
+/// Lines on one line that touch become one.
+void merge_collinear(std::vector<FaceLine>& lines, double same_line) {
+    std::sort(lines.begin(), lines.end(), [](const FaceLine& l, const FaceLine& r) { return l.v < r.v; });
+    std::vector<FaceLine> merged;
+    for (std::size_t first = 0; first < lines.size();) {
+        std::size_t end = first + 1;
+        while (end < lines.size() && lines[end].v - lines[first].v < same_line) ++end;
+        std::sort(lines.begin() + std::ptrdiff_t(first), lines.begin() + std::ptrdiff_t(end),
+                  [](const FaceLine& l, const FaceLine& r) { return l.u0 < r.u0; });
+        const std::size_t begin = merged.size();
+        for (std::size_t k = first; k < end; ++k) {
+            if (merged.size() > begin && lines[k].u0 <= merged.back().u1 + 0.002 &&
+                lines[k].height == merged.back().height)
+                merged.back().u1 = std::max(merged.back().u1, lines[k].u1);
+            else merged.push_back(lines[k]);
+        }
+        first = end;
+    }
+    lines = std::move(merged);
+}
+
+/// Directions are grouped around the longest lines, so that short crooked ones join them and not the other way round.
+std::vector<FaceGroup> face_groups(const std::vector<Segment2>& segments, double same_line) {
+    std::vector<std::uint32_t> order(segments.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto length = [&](std::uint32_t i) { return distance(segments[i].a, segments[i].b); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t l, std::uint32_t r) { return length(l) > length(r); });
+    std::vector<FaceGroup> groups;
+    std::vector<double> angles;
+    for (const std::uint32_t i : order) {
+        std::size_t g = 0;
+        for (; g < groups.size(); ++g) {
+            const double off = std::abs(segments[i].angle - angles[g]);
+            if (std::min(off, pi - off) < same_direction) break;
+        }
+        if (g == groups.size()) {
+            angles.push_back(segments[i].angle);
+            groups.push_back({{std::cos(segments[i].angle), std::sin(segments[i].angle)}, {}});
+        }
+        const Point dir = groups[g].dir, normal = turned_left(dir);
+        const double ua = dot(dir, segments[i].a), ub = dot(dir, segments[i].b);
+        const double v = (dot(normal, segments[i].a) + dot(normal, segments[i].b)) / 2;
+        groups[g].lines.push_back({v, std::min(ua, ub), std::max(ua, ub), segments[i].height});
+    }
+    for (FaceGroup& group : groups) merge_collinear(group.lines, same_line);
+    return groups;
+}
+
+struct Candidate {
+    std::uint32_t group;
+    std::uint32_t low;  ///< lines of the group, low.v < high.v
+    std::uint32_t high;
+    double overlap;
+    double score = 0;
+};
+
+std::vector<Candidate> candidates(const std::vector<FaceGroup>& groups, const PairLimits& limits) {
+    std::vector<Candidate> found;
+    for (std::uint32_t g = 0; g < groups.size(); ++g) {
+        const std::vector<FaceLine>& lines = groups[g].lines;
+        for (std::uint32_t i = 0; i < lines.size(); ++i)
+            for (std::uint32_t j = i + 1; j < lines.size() && lines[j].v - lines[i].v <= limits.most; ++j) {
+                const double overlap = std::min(lines[i].u1, lines[j].u1) - std::max(lines[i].u0, lines[j].u0);
+                if (lines[j].v - lines[i].v < limits.least || overlap < 0.03) continue;
+                found.push_back({g, i, j, overlap});
+            }
+    }
+    return found;
+}
+
+/// How much wall there would be of each thickness, if every pair of neighbours were one. [bins of `bin`]
+std::vector<double> thickness_weights(const std::vector<FaceGroup>& groups, const std::vector<Candidate>& pairs,
+                                      const PairLimits& limits) {
+    std::vector<double> weight(std::size_t(limits.most / bin) + 3, 0);
+    for (const Candidate& pair : pairs) {
+        const FaceLine& a = groups[pair.group].lines[pair.low];
+        const FaceLine& b = groups[pair.group].lines[pair.high];
+        if (pair.overlap < 2 * (b.v - a.v)) continue;  // stubs say nothing of what is usual
+        weight[std::size_t((b.v - a.v) / bin) + 1] += pair.overlap / (0.1 + (b.v - a.v));
+    }
+    std::vector<double> smooth(weight.size(), 0);
+    for (std::size_t k = 1; k + 1 < weight.size(); ++k) smooth[k] = weight[k - 1] + weight[k] + weight[k + 1];
+    return smooth;
+}
+
+void pair_straight(WallBodies& bodies, const PairLimits& limits) {
+    std::vector<Candidate> pairs = candidates(bodies.groups, limits);
+    const std::vector<double> weight = thickness_weights(bodies.groups, pairs, limits);
+    const auto most = std::max_element(weight.begin(), weight.end());
+    const double heaviest = weight.empty() || *most <= 0 ? 1 : *most;
+    bodies.usual_thickness = weight.empty() ? 0 : (double(most - weight.begin()) - 0.5) * bin;
+    const auto line = [&](std::uint32_t g, std::uint32_t k) -> FaceLine& { return bodies.groups[g].lines[k]; };
+    for (Candidate& pair : pairs) {
+        const double t = line(pair.group, pair.high).v - line(pair.group, pair.low).v;
+        pair.score = pair.overlap * (0.1 + weight[std::size_t(t / bin) + 1] / heaviest) / (0.1 + t);
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Candidate& l, const Candidate& r) { return l.score > r.score; });
+
+    std::vector<std::vector<Intervals>> taken;
+    for (const FaceGroup& group : bodies.groups) taken.emplace_back(group.lines.size());
+    for (const Candidate& pair : pairs) {
+        const FaceLine &a = line(pair.group, pair.low), &b = line(pair.group, pair.high);
+        Intervals& taken_a = taken[pair.group][pair.low];
+        Intervals& taken_b = taken[pair.group][pair.high];
+        Intervals both = taken_a;
+        both.insert(both.end(), taken_b.begin(), taken_b.end());
+        const double t = b.v - a.v;
+        for (const Interval& free : without({std::max(a.u0, b.u0), std::min(a.u1, b.u1)}, both)) {
+            if (free.high - free.low < std::max(0.03, 0.3 * t)) continue;
+            const std::optional<double> height = a.height ? a.height : b.height;
+            bodies.straight.push_back({pair.group, (a.v + b.v) / 2, free.low, free.high, t, height});
+            taken_a.push_back(free);
+            taken_b.push_back(free);
+            bodies.paired_length += 2 * (free.high - free.low);
+        }
+    }
+    for (std::uint32_t g = 0; g < bodies.groups.size(); ++g)
+        for (std::uint32_t k = 0; k < bodies.groups[g].lines.size(); ++k) {
+            const FaceLine& face = bodies.groups[g].lines[k];
+            bodies.total_length += face.u1 - face.u0;
+            for (const Interval& free : without({face.u0, face.u1}, taken[g][k]))
+                if (free.high - free.low > 0.1)
+                    bodies.single.push_back({g, face.v, free.low, free.high, 0, face.height});
+        }
+}
+
+double normalised(double angle) {
+    angle = std::fmod(angle, 2 * pi);
+    return angle < 0 ? angle + 2 * pi : angle;
+}
+
+/// The common stretch of two arcs about one centre, as (start, sweep), sweep > 0; nothing where there is none.
+std::optional<std::array<double, 2>> common_sweep(const CircleArc& a, const CircleArc& b) {
+    const auto start = [](const CircleArc& arc) { return arc.sweep > 0 ? arc.start : arc.start + arc.sweep; };
+    const double sweep_a = std::abs(a.sweep), sweep_b = std::abs(b.sweep);
+    const double offset = normalised(start(b) - start(a));
+    double low = 0, high = 0;
+    if (offset < sweep_a) low = offset, high = std::min(sweep_a, offset + sweep_b);
+    else if (offset + sweep_b > 2 * pi) low = 0, high = std::min(sweep_a, offset + sweep_b - 2 * pi);
+    if (high - low < 1e-3) return std::nullopt;
+    return std::array<double, 2>{start(a) + low, high - low};
+}
+
+void pair_curved(const std::vector<SheetStroke>& strokes, WallBodies& bodies, const PairLimits& limits) {
+    struct Curve {
+        CircleArc arc;
+        std::optional<double> height;
+        bool used = false;
+    };
+    std::vector<Curve> curves;
+    for (const SheetStroke& s : strokes) {
+        if (s.stroke.bulge == 0 || distance(s.stroke.a, s.stroke.b) < 1e-6) continue;
+        std::optional<double> height;
+        if (s.rule && s.rule->height) height = s.rule->height;
+        else if (s.role == Role::LowWall) height = 1.0;
+        curves.push_back({circle_arc(s.stroke), height});
+        bodies.total_length += curves.back().arc.radius * std::abs(curves.back().arc.sweep);
+    }
+    std::stable_sort(curves.begin(), curves.end(),
+                     [](const Curve& l, const Curve& r) { return l.arc.centre.x < r.arc.centre.x; });
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        std::size_t best = curves.size();
+        double best_thickness = limits.most;
+        for (std::size_t j = i + 1; j < curves.size() && curves[j].arc.centre.x - curves[i].arc.centre.x < 0.02; ++j) {
+            const double t = std::abs(curves[j].arc.radius - curves[i].arc.radius);
+            if (curves[i].used || curves[j].used || t < limits.least || t > best_thickness ||
+                distance(curves[i].arc.centre, curves[j].arc.centre) > 0.02 ||
+                !common_sweep(curves[i].arc, curves[j].arc))
+                continue;
+            best = j;
+            best_thickness = t;
+        }
+        if (best == curves.size()) continue;
+        const auto common = *common_sweep(curves[i].arc, curves[best].arc);
+        const double radius = (curves[i].arc.radius + curves[best].arc.radius) / 2;
+        curves[i].used = curves[best].used = true;
+        bodies.paired_length += 2 * radius * common[1];
+        bodies.curved.push_back({curves[i].arc.centre, radius, common[0], common[1], best_thickness,
+                                 curves[i].height ? curves[i].height : curves[best].height});
+    }
+}
+
+}  // namespace
+
+WallBodies wall_bodies(const std::vector<SheetStroke>& strokes, const PairLimits& limits) {
+    WallBodies bodies;
+    bodies.groups = face_groups(straight_strokes(strokes), limits.same_line);
+    pair_straight(bodies, limits);
+    pair_curved(strokes, bodies, limits);
+    return bodies;
+}
+
+}  // namespace enfilade::plans
