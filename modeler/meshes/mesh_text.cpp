@@ -73,6 +73,7 @@ std::string_view MeshText::word() {
 
 double MeshText::coordinate() {
     std::string_view text = word();
+    if (text.empty() && ended()) fail("P805", "The file ends where a number is expected: is it complete?");
     if (text.starts_with('+')) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -159,6 +159,7 @@ private:
     GeometryText read_geometry_text() {
         GeometryText found;
         json_.members("A geometry", [&](const std::string& key) {
+            (void)json_.peek();
             const std::size_t at = json_.position();
             if (key == "type") {
                 found.type = json_.string("The type of a geometry");
@@ -229,6 +230,7 @@ private:
 
     void read_ring(std::vector<std::uint32_t>& ring) {
         json_.items("A ring", [&](std::uint64_t) {
+            (void)json_.peek();
             const std::size_t at = json_.position();
             const std::int64_t vertex = json_.integer("A vertex number");
             if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= range_.count) {

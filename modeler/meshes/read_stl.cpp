@@ -61,8 +61,10 @@ public:
     }
 
     Mesh read_text() {
+        bool is_open = true;
         while (text_.next()) {
             const std::string key = keyword();
+            is_open = key != "endsolid";
             if (key == "solid") {
                 mesh_.groups.push_back({static_cast<std::uint32_t>(mesh_.face_count()), text_.rest_of_line()});
                 text_.skip_line();
@@ -71,8 +73,14 @@ public:
             } else if (key == "endsolid") {
                 text_.skip_line();
             } else {
-                text_.fail("P802", "\"facet\" or \"endsolid\" is expected here.");
+                unexpected("\"facet\" or \"endsolid\" is expected here.");
             }
+        }
+        if (is_open) {
+            Finding finding{.code = "P815", .severity = Severity::Warning};
+            finding.sentence = "The file ends without \"endsolid\".";
+            finding.hint = "Triangles may be missing: export the mesh again.";
+            mesh_.findings.push_back(std::move(finding));
         }
         return finished();
     }
@@ -85,9 +93,15 @@ private:
         return word;
     }
 
+    /// A word that does not belong; the last one of the file may be half of one that does.
+    [[noreturn]] void unexpected(const std::string& sentence) {
+        if (text_.ended()) text_.fail("P805", "The file ends within a solid: is it complete?");
+        text_.fail("P802", sentence);
+    }
+
     void expect(const char* wanted) {
         if (!text_.next()) text_.fail_at(text_.position(), "P805", "The file ends within a facet: is it complete?");
-        if (keyword() != wanted) text_.fail("P802", "\"" + std::string(wanted) + "\" is expected here.");
+        if (keyword() != wanted) unexpected("\"" + std::string(wanted) + "\" is expected here.");
     }
 
     void read_facet() {
@@ -102,7 +116,7 @@ private:
             if (!text_.next()) text_.fail_at(text_.position(), "P805", "The file ends within a facet: is it complete?");
             const std::string key = keyword();
             if (key == "endloop") break;
-            if (key != "vertex") text_.fail("P802", "\"vertex\" or \"endloop\" is expected here.");
+            if (key != "vertex") unexpected("\"vertex\" or \"endloop\" is expected here.");
             MeshPoint point;
             for (double& x : point) {
                 text_.next_in_line();
