@@ -200,6 +200,19 @@ TEST(DrawingEntities, PaperSpaceIsCounted) {
     EXPECT_EQ(sentence_of(drawing, "P713"), "2 entities of paper space (title blocks, views) left out.");
 }
 
+TEST(DrawingEntities, BlocksDrawnInPaperSpaceAreInserted) {
+    const Drawing drawing = read({entity("INSERT", {{2, "B"}}), block("B", entity("LINE", {{67, 1}, {11, 1}}))});
+    EXPECT_EQ(drawing.shapes.size(), 1u);
+}
+
+TEST(DrawingEntities, ManyUnknownKindsAreCountedTogether) {
+    std::string entities;
+    for (int k = 0; k < 1000; ++k) entities += pair(0, "KIND" + std::to_string(k));
+    const std::string sentence = sentence_of(read_entities(entities), "P715");
+    EXPECT_LT(sentence.size(), 2000u);
+    EXPECT_NE(sentence.find("900 of other kinds"), std::string::npos) << sentence;
+}
+
 TEST(DrawingEntities, InvisibleOnesAreLeftOut) {
     const Drawing drawing =
         read_entities(entity("POLYLINE", {{60, 1}}) + entity("VERTEX", {{10, 0}, {20, 0}}) +
@@ -259,6 +272,12 @@ TEST(DrawingEntities, HeaderTellsUnits) {
     EXPECT_EQ(drawing.declared_unit, Unit::Inch);
     EXPECT_EQ(drawing.linear_format, 4);
     EXPECT_FALSE(drawing.metric);
+}
+
+TEST(DrawingEntities, UnitOfNoBuildingIsReported) {
+    const Drawing drawing = read({line(0, 0, 1, 0), "", pairs({{9, "$INSUNITS"}, {70, 19}})});
+    EXPECT_EQ(drawing.declared_unit, std::nullopt);
+    EXPECT_NE(sentence_of(drawing, "P709").find("19"), std::string::npos);
 }
 
 TEST(DrawingEntities, WithoutHeaderNothingIsDeclared) {

@@ -132,6 +132,32 @@ TEST(DrawingRefusals, LongTextsInManyCopies) {
     EXPECT_LT(seconds_of([&] { EXPECT_EQ(refusal(text).code, "P708"); }), 0.5);
 }
 
+TEST(DrawingRefusals, MoreEntitiesThanTheLimit) {
+    DrawingLimits limits;
+    limits.strokes = 100;
+    std::string lines;
+    std::string vertices;
+    for (int k = 0; k < 101; ++k) lines += line(0, 0, 1, k);
+    for (int k = 0; k < 101; ++k) vertices += pairs({{10, k}, {20, 0}});
+    for (const std::string& text : {File{lines}.text(), File{line(0, 0, 1, 1), block("B", lines)}.text(),
+                                    File{entity("LWPOLYLINE", {}) + vertices}.text()}) {
+        const InputError error = refusal(text, limits);
+        EXPECT_EQ(error.code, "P708") << error.what();
+        EXPECT_GT(error.line, 0);
+    }
+}
+
+TEST(DrawingRefusals, EntityOfEndlessValues) {
+    DrawingLimits limits;
+    limits.strokes = 100;
+    std::string values;
+    for (int k = 0; k < 1000; ++k) values += pair(40, k);
+    const std::string text = File{entity("SPLINE", {}) + values}.text();
+    const InputError error = refusal(text, limits);
+    EXPECT_EQ(error.code, "P708");
+    EXPECT_EQ(error.line, line_of(text, "500") - 1);
+}
+
 TEST(DrawingRefusals, CurvesOfMoreStrokesThanTheLimit) {
     DrawingLimits limits;
     limits.strokes = 1000;

@@ -113,6 +113,22 @@ TEST(DrawingTexts, NamesAreDecodedToo) {
     EXPECT_EQ(drawing.insertions.at(0).name, "T\u00DCR");
 }
 
+TEST(DrawingTexts, CodePagesGoByManyNames) {
+    for (const char* name : {"ISO8859-1", "iso_8859-1", "ascii", "ANSI_1252", "Cp1252"})
+        EXPECT_EQ(text_after(version("AC1015") + page(name),
+                             "K\xFC"
+                             "che"),
+                  "K\u00FCche")
+            << name;
+    EXPECT_EQ(text_after(version("AC1015") + page("mac-roman"),
+                         "K\x9F"
+                         "che"),
+              "K\u00FCche");
+    dxf::Words words;
+    for (const char* name : {"", "UTF-7", "ISO-2022-CN-EXT", "CP", "CP1252//TRANSLIT", "../x"})
+        EXPECT_FALSE(words.set_code_page(name)) << name;
+}
+
 TEST(DrawingTexts, UnknownCodePageIsReported) {
     const Drawing drawing = read({entity("TEXT", {{1,
                                                    "K\xFC"
