@@ -38,6 +38,9 @@ GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& st
     GapEvidence evidence;
     evidence.u0 = gap.u1;
     evidence.u1 = gap.u0;
+    evidence.jamb0 = gap.u0;
+    evidence.jamb1 = gap.u1;
+    const double middle = (gap.u0 + gap.u1) / 2;
     const auto cover = [&](double u) {
         evidence.u0 = std::min(evidence.u0, std::clamp(u, gap.u0, gap.u1));
         evidence.u1 = std::max(evidence.u1, std::clamp(u, gap.u0, gap.u1));
@@ -49,9 +52,16 @@ GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& st
         const double length = distance(s.stroke.a, s.stroke.b);
         if (s.stroke.bulge == 0 && std::abs(b.u - a.u) < 0.2 * length && length > 0.6 * gap.thickness &&
             std::max(a.v, b.v) > 0.2 * half && std::min(a.v, b.v) < -0.2 * half) {
-            closed_low = closed_low || std::abs(a.u - gap.u0) < 0.03;
-            closed_high = closed_high || std::abs(a.u - gap.u1) < 0.03;
+            // At a corner the face of the other wall closes this one, up to a thickness further on.
+            const double slack = gap.thickness * 1.1 + 0.03;
+            if (a.u > gap.u0 - 0.03 && a.u < gap.u0 + slack && a.u < middle)
+                closed_low = true, evidence.jamb0 = std::max(evidence.jamb0, a.u);
+            if (a.u < gap.u1 + 0.03 && a.u > gap.u1 - slack && a.u > middle)
+                closed_high = true, evidence.jamb1 = std::min(evidence.jamb1, a.u);
         }
+        if (s.role == Role::Unknown && s.stroke.bulge == 0 && std::abs(b.u - a.u) > 0.9 * length &&
+            length > 0.5 * (gap.u1 - gap.u0) && std::abs(a.v) < half + 0.02 && std::abs(b.v) < half + 0.02)
+            ++evidence.other_lines;
         const bool tells = s.role == Role::Door || s.role == Role::Window || s.role == Role::Opening;
         if (!tells) continue;
         if (const auto swing = door_swing(s)) {
@@ -69,7 +79,7 @@ GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& st
             const double inside_u = std::min(std::max(a.u, b.u), gap.u1) - std::max(std::min(a.u, b.u), gap.u0);
             const double inside_v =
                 std::min(std::max(a.v, b.v), half + 0.03) - std::max(std::min(a.v, b.v), -half - 0.03);
-            if (inside_v < 0 || inside_u < -0.02 || inside_u < 0.5 * std::abs(b.u - a.u) ||
+            if (inside_v < 0 || inside_u < -0.02 || inside_u < 0.4 * std::abs(b.u - a.u) ||
                 inside_v < 0.5 * std::abs(b.v - a.v))
                 continue;
             (s.role == Role::Door     ? evidence.door_lines
@@ -91,7 +101,7 @@ OpeningKind kind_of(const GapEvidence& evidence, bool exterior) {
     if (evidence.window_lines > 0) return OpeningKind::Window;
     if (evidence.door_lines > 0) return OpeningKind::Door;
     if (evidence.opening_lines > 0) return exterior ? OpeningKind::Window : OpeningKind::Door;
-    return OpeningKind::Opening;
+    return exterior && evidence.other_lines >= 2 ? OpeningKind::Window : OpeningKind::Opening;
 }
 
 }  // namespace enfilade::plans

@@ -25,6 +25,9 @@ struct GapEvidence {
     std::uint32_t opening_lines = 0;  ///< of layers for either
     double u0 = 0;                    ///< where along the axis something is drawn
     double u1 = 0;
+    std::uint32_t other_lines = 0;  ///< along the wall within its width, of layers that say nothing
+    double jamb0 = 0;               ///< where lines across close the wall's ends
+    double jamb1 = 0;
     bool jambs = false;          ///< both ends are closed by a line across
     std::optional<double> sill;  ///< as the mapping file has them
     std::optional<double> head;

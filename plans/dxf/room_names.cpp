@@ -28,17 +28,17 @@ bool reads_like_a_name(const std::string& text) {
 
 /// Words of which names of rooms are made, folded: they tell names from the notes that stand among them.
 constexpr std::array room_words = {
-    "room",      "bed",     "bath",       "kitchen",    "living",     "dining",   "hall",     "entry",      "entrance",
-    "closet",    "w.i.c",   "garage",     "util",       "laundr",     "pantry",   "porch",    "deck",       "patio",
-    "office",    "toil",    "wc",         "shower",     "stor",       "corridor", "lobby",    "foyer",      "study",
-    "den",       "attic",   "cellar",     "basement",   "balcony",    "terrace",  "lounge",   "lift",       "master",
-    "nursery",   "meeting", "conference", "reception",  "kuche",      "kueche",   "bad",      "zimmer",     "flur",
-    "diele",     "raum",    "buro",       "buero",      "keller",     "abstell",  "wohn",     "schlaf",     "kind",
-    "esszimmer", "cuisine", "sejour",     "salon",      "chambre",    "salle",    "couloir",  "bureau",     "entree",
-    "cellier",   "cocina",  "bano",       "dormitorio", "habitacion", "sala",     "comedor",  "pasillo",    "cucina",
-    "bagno",     "camera",  "soggiorno",  "ingresso",   "corridoio",  "keuken",   "badkamer", "slaapkamer", "woonkamer",
-    "gang",      "cozinha", "banheiro",   "quarto",     "kuchnia",    "lazienka", "pokoj",    "korytarz",   "кухн",
-    "комнат",    "ванн",    "коридор",    "спальн",     "厨房",       "卫",       "卧",       "厅",         "室",
+    "room",    "bed",        "bath",       "kitchen",    "living",   "dining",   "hall",       "entry",     "entrance",
+    "closet",  "w.i.c",      "garage",     "util",       "laundr",   "pantry",   "porch",      "deck",      "patio",
+    "office",  "toil",       "wc",         "shower",     "stor",     "corridor", "lobby",      "foyer",     "study",
+    "den",     "cellar",     "basement",   "balcony",    "terrace",  "lounge",   "lift",       "master",    "nursery",
+    "meeting", "conference", "reception",  "kuche",      "kueche",   "bad",      "zimmer",     "flur",      "diele",
+    "raum",    "buro",       "buero",      "keller",     "abstell",  "wohn",     "schlaf",     "kind",      "esszimmer",
+    "cuisine", "sejour",     "salon",      "chambre",    "salle",    "couloir",  "bureau",     "entree",    "cellier",
+    "cocina",  "bano",       "dormitorio", "habitacion", "sala",     "comedor",  "pasillo",    "cucina",    "bagno",
+    "camera",  "soggiorno",  "ingresso",   "corridoio",  "keuken",   "badkamer", "slaapkamer", "woonkamer", "gang",
+    "cozinha", "banheiro",   "quarto",     "kuchnia",    "lazienka", "pokoj",    "korytarz",   "кухн",      "комнат",
+    "ванн",    "коридор",    "спальн",     "厨房",       "卫",       "卧",       "厅",         "室",
 };
 
 bool names_a_room(const std::string& text) {

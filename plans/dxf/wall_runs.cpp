@@ -74,7 +74,11 @@ private:
                        (axis[k - 1].thickness + axis[k].thickness) / 2};
                 between = what_is_in(axis[k].group, gap, seen);
             }
-            if (between == Between::Opening) openings.push_back(gap), evidence.push_back(seen);
+            if (between == Between::Opening) {
+                if (seen.jambs && seen.jamb1 - seen.jamb0 > 0.3) gap.u0 = seen.jamb0, gap.u1 = seen.jamb1;
+                openings.push_back(gap);
+                evidence.push_back(seen);
+            }
             if (between == Between::Nothing) {
                 finish(axis, first, k, reached, openings, evidence, runs);
                 first = k;
