@@ -30,6 +30,7 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     check_vertices(subject, blame, report);
     check_rings(subject, blame, report);
     check_planarity(subject, blame, report);
+    check_shells(subject, blame, report);
     check_partition(building, blame, report);
     if (building.convex) check_convexity(building, blame, report);
     check_portals(building, blame, report);

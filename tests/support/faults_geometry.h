@@ -19,4 +19,10 @@ std::optional<InjectedFault> inject_g2(modeler::Building& building, plans::Rando
 /// A vertex is moved by a unit of the grid up to centimetres, so that a face is bent.
 std::optional<InjectedFault> inject_g3(modeler::Building& building, plans::Random& random);
 
+/// A face of a volume becomes a spike through an opposite one.
+std::optional<InjectedFault> inject_g4(modeler::Building& building, plans::Random& random);
+
+/// An edge of a face is moved so that the face tilts and all faces stay flat.
+std::optional<InjectedFault> inject_g7(modeler::Building& building, plans::Random& random);
+
 }  // namespace enfilade::testing
