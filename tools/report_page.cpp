@@ -58,8 +58,8 @@ std::string scale_bar(const DrawnBox& box) {
 std::string svg_open(const char* classes, const std::string& id, const std::string& label, const DrawnBox& box) {
     const std::string view =
         decimal(box.x, 3) + " " + decimal(box.y, 3) + " " + decimal(box.width, 3) + " " + decimal(box.height, 3);
-    return std::string("<svg class=\"drawing ") + classes + "\" id=\"" + id + "\" viewBox=\"" + view +
-           "\" data-box=\"" + view + "\" style=\"--k:" + decimal(std::max(box.width, box.height) / 900, 4) +
+    return std::string("<div class=\"frame\"><svg class=\"drawing ") + classes + "\" id=\"" + id + "\" viewBox=\"" +
+           view + "\" data-box=\"" + view + "\" style=\"--k:" + decimal(std::max(box.width, box.height) / 900, 4) +
            "\" tabindex=\"0\" role=\"group\" aria-label=\"" + label +
            ". Arrow keys move, plus and minus zoom, 0 shows all.\">\n";
 }
@@ -167,7 +167,7 @@ private:
                     "</bdi></figcaption>\n" + svg_open("plan", "plan-" + number, "Plan of " + title, box) +
                     storey_drawing(*view_, passages_, k, cells_.empty() ? nullptr : &cells_[k], blamed) +
                     "<g class=\"layer layer-pins\">\n" + pins(findings_, k) + "</g>\n" + scale_bar(box) +
-                    "</svg></figure>\n";
+                    "</svg></div></figure>\n";
         }
         return text + "</div>\n<p class=\"status\" aria-hidden=\"true\">Drag to move, scroll to zoom.</p></div>\n";
     }
@@ -190,7 +190,8 @@ private:
             "codes</option>";
         std::set<std::string> codes;
         for (const Finding& finding : report_.findings) codes.insert(finding.code);
-        for (const std::string& code : codes) text += "<option>" + escaped(code) + "</option>";
+        for (const std::string& code : codes)
+            text += "<option value=\"" + escaped(code) + "\">" + escaped(code) + "</option>";
         text +=
             "</select><select id=\"sort\" aria-label=\"Sort\"><option value=\"n\">By severity</option><option "
             "value=\"code\">By code</option><option value=\"storey\">By storey</option></select></div>\n"
@@ -218,7 +219,7 @@ private:
             text += "<figure class=\"sheet\" data-storey=\"" + number + "\"><figcaption><bdi>" + title +
                     "</bdi>: " + room_graph_caption(*view_, passages_, k) + "</figcaption>\n" +
                     svg_open("graph", "graph-" + number, "Graph of " + title, box) + room_graph(*view_, passages_, k) +
-                    "</svg></figure>\n";
+                    "</svg></div></figure>\n";
         }
         return text + "</div></div>\n<p class=\"legend\">" + key("g-door", "door") + key("g-opening", "opening") +
                key("g-border", "open border") + key("g-low", "over a low wall") + key("g-stair", "stair or shaft") +

@@ -10,9 +10,16 @@
   const state = { storey: 0, selected: 0 };
 
   // ---- Views: what part of a drawing is seen, as its middle and the metres that a pixel covers. -------------------
+  const heavy_from = 5000;
   class View {
     constructor(svg) {
       this.svg = svg;
+      this.frame = svg.parentNode;
+      // What takes its size in pixels: it alone is told the scale, since a whole large drawing takes long to style anew.
+      this.scaled = all(".layer-pins, .gnodes", svg);
+      // Large drawings are moved as a picture, and drawn anew when they rest.
+      this.heavy = svg.getElementsByTagName("*").length > heavy_from;
+      this.seen = svg.classList.contains("plan");
       const [x, y, width, height] = svg.dataset.box.split(" ").map(Number);
       this.box = { x, y, width, height };
       this.fitted = true;
@@ -24,8 +31,7 @@
     }
 
     get size() {
-      const width = this.svg.clientWidth || 1, height = this.svg.clientHeight || 1;
-      return { width, height };
+      return { width: this.frame.clientWidth || 1, height: this.frame.clientHeight || 1 };
     }
     fitScale() {
       const { width, height } = this.size;
@@ -45,14 +51,23 @@
       this.draw();
     }
     draw() {
+      clearTimeout(this.resting);
+      if (!this.heavy || !this.settled) return this.settle();
+      const at = this.settled, s = this.scale;
+      this.svg.style.transform = `translate(${(at.x - this.x) / s}px, ${(at.y - this.y) / s}px) scale(${at.scale / s})`;
+      this.resting = setTimeout(() => this.settle(), 160);
+    }
+    settle() {
       const { width, height } = this.size;
       const w = width * this.scale, h = height * this.scale;
+      this.settled = { x: this.x, y: this.y, scale: this.scale };
+      this.svg.style.transform = "";
       this.svg.setAttribute("viewBox", `${this.x - w / 2} ${this.y - h / 2} ${w} ${h}`);
-      if (this.drawn === this.scale) return this.drawBar();
-      this.drawn = this.scale;
-      this.svg.style.setProperty("--k", this.scale);
-      for (const { group, size } of this.names) group.style.display = size / this.scale < 5.5 ? "none" : "";
       this.drawBar();
+      if (this.drawn === this.scale) return;
+      this.drawn = this.scale;
+      for (const group of this.scaled) group.style.setProperty("--k", this.scale);
+      for (const { group, size } of this.names) group.style.display = size / this.scale < 5.5 ? "none" : "";
       this.gather();
     }
     drawBar() {
@@ -68,13 +83,40 @@
       text.style.setProperty("--size", `${12 * s}px`);
     }
 
-    /// Pins that would hide each other become one, which says how many it stands for.
+    /// Pins that would hide each other become one, which says how many it stands for; the more there are in sight, the
+    /// further apart they stay.
     gather() {
-      if (!this.pins.length) return;
-      const near = 23 * this.scale, leaders = new Map(), key = (i, j) => `${i} ${j}`;
+      if (!this.pins.length || !this.scale) return;
       const order = this.pins.map((pin) => ({ pin, f: byNumber.get(Number(pin.dataset.n)), more: 0 }));
       order.sort((a, b) => (b.f.n === state.selected) - (a.f.n === state.selected) || a.f.n - b.f.n);
+      const { width, height } = this.size, s = this.scale;
+      const sees = ({ f }) => Math.abs(f.at[0] - this.x) * 2 < width * s && Math.abs(f.at[1] - this.y) * 2 < height * s;
+      for (const pixels of [23, 34, 50, 75]) {
+        this.near = pixels * s;
+        if (this.gatherWithin(order).filter(sees).length <= 90) break;
+      }
+      for (const { pin, more } of order) {
+        let label = one(".more-here", pin);
+        if (!more) {
+          if (label) label.remove();
+          continue;
+        }
+        if (!label) {
+          label = document.createElementNS(this.svg.namespaceURI, "text");
+          label.setAttribute("class", "more-here");
+          label.setAttribute("x", "15");
+          label.setAttribute("y", "-26");
+          one(".k", pin).append(label);
+        }
+        label.textContent = `+${more}`;
+      }
+    }
+
+    /// Those that stay: for each other one of them is nearer than `near`.
+    gatherWithin(order) {
+      const near = this.near, leaders = new Map(), key = (i, j) => `${i} ${j}`;
       for (const at of order) {
+        at.more = 0;
         if (at.pin.classList.contains("filtered")) continue;
         const [x, y] = at.f.at, i = Math.floor(x / near), j = Math.floor(y / near);
         let leader = null;
@@ -85,25 +127,11 @@
         if (leader) leader.more += 1;
         else leaders.set(key(i, j), [...(leaders.get(key(i, j)) || []), at]);
       }
-      for (const { pin, more } of order) {
-        let label = one(".more-here", pin);
-        if (!more) {
-          if (label) label.remove();
-          continue;
-        }
-        if (!label) {
-          label = document.createElementNS("http://www.w3.org/2000/svg", "text");
-          label.setAttribute("class", "more-here");
-          label.setAttribute("x", "15");
-          label.setAttribute("y", "-26");
-          one(".k", pin).append(label);
-        }
-        label.textContent = `+${more}`;
-      }
+      return [...leaders.values()].flat();
     }
 
     toMetres(event) {
-      const rect = this.svg.getBoundingClientRect(), { width, height } = this.size;
+      const rect = this.frame.getBoundingClientRect(), { width, height } = this.size;
       return [this.x + (event.clientX - rect.left - width / 2) * this.scale, this.y + (event.clientY - rect.top - height / 2) * this.scale];
     }
     zoomAt(x, y, factor) {
@@ -116,37 +144,37 @@
     /// Goes there in a quarter of a second.
     go(x, y, scale) {
       this.fitted = false;
-      cancelAnimationFrame(this.frame);
-      if (calm.matches || !this.svg.clientWidth) return this.set(x, y, scale);
+      cancelAnimationFrame(this.flight);
+      if (calm.matches || !this.frame.clientWidth) return this.set(x, y, scale);
       const from = { x: this.x, y: this.y, scale: this.scale }, start = performance.now();
       const step = (now) => {
         const t = Math.min(1, (now - start) / 250), e = 1 - (1 - t) ** 3;
         this.set(from.x + (x - from.x) * e, from.y + (y - from.y) * e, from.scale * (scale / from.scale) ** e);
-        if (t < 1) this.frame = requestAnimationFrame(step);
+        if (t < 1) this.flight = requestAnimationFrame(step);
       };
-      this.frame = requestAnimationFrame(step);
+      this.flight = requestAnimationFrame(step);
     }
 
     listen() {
-      const svg = this.svg;
-      svg.addEventListener("wheel", (event) => {
+      const svg = this.svg, frame = this.frame;
+      frame.addEventListener("wheel", (event) => {
         event.preventDefault();
-        cancelAnimationFrame(this.frame);
+        cancelAnimationFrame(this.flight);
         this.zoomAt(...this.toMetres(event), Math.exp(Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 120) / 480));
       }, { passive: false });
-      svg.addEventListener("pointerdown", (event) => {
+      frame.addEventListener("pointerdown", (event) => {
         if (event.button > 0) return;
         this.pointers.set(event.pointerId, event);
         this.moved = 0;
-        cancelAnimationFrame(this.frame);
+        cancelAnimationFrame(this.flight);
       });
-      svg.addEventListener("pointermove", (event) => this.move(event));
+      frame.addEventListener("pointermove", (event) => this.move(event));
       for (const name of ["pointerup", "pointercancel"])
-        svg.addEventListener(name, (event) => {
+        frame.addEventListener(name, (event) => {
           this.pointers.delete(event.pointerId);
-          svg.classList.remove("moving");
+          frame.classList.remove("moving");
         });
-      svg.addEventListener("dblclick", (event) => this.zoomAt(...this.toMetres(event), event.shiftKey ? 2 : 0.5));
+      frame.addEventListener("dblclick", (event) => this.zoomAt(...this.toMetres(event), event.shiftKey ? 2 : 0.5));
       svg.addEventListener("keydown", (event) => {
         const { width, height } = this.size, s = this.scale;
         const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -157,7 +185,14 @@
         else return;
         event.preventDefault();
       });
-      new ResizeObserver(() => this.show()).observe(svg);
+      new ResizeObserver(() => this.show()).observe(frame);
+      if (this.seen) return;
+      new IntersectionObserver(([at], watcher) => {
+        if (!at.isIntersecting) return;
+        watcher.disconnect();
+        this.seen = true;
+        this.show();
+      }, { rootMargin: "200px" }).observe(frame);
     }
     move(event) {
       const before = this.pointers.get(event.pointerId);
@@ -167,9 +202,9 @@
       this.moved += Math.abs(dx) + Math.abs(dy);
       // A finger or a mouse that trembles still clicks.
       if (this.moved < 5 && !others.length) return;
-      if (!this.svg.hasPointerCapture(event.pointerId)) this.svg.setPointerCapture(event.pointerId);
+      if (!this.frame.hasPointerCapture(event.pointerId)) this.frame.setPointerCapture(event.pointerId);
       this.pointers.set(event.pointerId, event);
-      this.svg.classList.add("moving");
+      this.frame.classList.add("moving");
       this.fitted = false;
       this.set(this.x - dx * this.scale / (others.length + 1), this.y - dy * this.scale / (others.length + 1), this.scale);
       if (others.length !== 1) return;
@@ -179,8 +214,9 @@
     }
     /// After the sheet has become visible or changed its size.
     show() {
-      if (!this.svg.clientWidth) return;
+      if (!this.seen || !this.frame.clientWidth) return;
       this.drawn = NaN;
+      this.settled = null;
       if (this.fitted || !this.scale) this.fit();
       else this.set(this.x, this.y, this.scale);
     }
@@ -239,8 +275,8 @@
   // ---- Where the pointer is ----------------------------------------------------------------------------------------
   const status = one(".status");
   planStage?.addEventListener("pointermove", (event) => {
-    const view = views.get(event.target.closest(".drawing"));
-    if (!view) return;
+    const view = viewOf("plan");
+    if (!event.target.closest(".frame")) return;
     const [x, y] = view.toMetres(event), title = event.target.closest(".room")?.querySelector("title");
     status.textContent = `x ${(data.origin[0] + x).toFixed(2)}  y ${(data.origin[1] - y).toFixed(2)} m` + (title ? `  ·  ${title.textContent}` : "");
   });
@@ -282,7 +318,7 @@
     for (const entry of entries) entry.pick.tabIndex = -1;
     const first = entryOf.get(state.selected);
     if (shown.length) (shown.includes(first) ? first : shown[0]).pick.tabIndex = 0;
-    for (const view of views.values()) view.gather();
+    viewOf("plan")?.gather();
   }
 
   function light(finding) {
@@ -327,8 +363,8 @@
     if (pin) pin.classList.add("selected"), pin.parentNode.append(pin);
     const storey = entry.finding.storey ?? state.storey;
     if (storey !== state.storey) showStorey(storey);
-    if (fromPin) list.scrollTo({ top: entry.item.offsetTop - list.offsetTop - 40, behavior: calm.matches ? "auto" : "smooth" });
-    else moveTo(entry.finding, lit);
+    entry.item.scrollIntoView({ block: "nearest", behavior: fromPin && !calm.matches ? "smooth" : "auto" });
+    if (!fromPin) moveTo(entry.finding, lit);
     viewOf("plan")?.gather();
     const stageBox = planStage?.getBoundingClientRect();
     if (!fromPin && stageBox && (stageBox.bottom < 120 || stageBox.top > innerHeight - 120)) planStage.scrollIntoView({ block: "start" });
@@ -355,7 +391,7 @@
     const n = Number(pin.dataset.n), here = byNumber.get(n);
     if (n !== state.selected) return select(n, true);
     // A second click goes on to what the pin stands for as well.
-    const near = 23 * view.scale;
+    const near = view.near;
     const group = shown.map((entry) => entry.finding).filter((f) => f.at && f.storey === here.storey && Math.hypot(f.at[0] - here.at[0], f.at[1] - here.at[1]) < near);
     if (group.length > 1) select(group[(group.findIndex((f) => f.n === n) + 1) % group.length].n, true);
   });
@@ -376,7 +412,8 @@
   addEventListener("beforeprint", () => {
     for (const view of views.values()) {
       view.svg.setAttribute("viewBox", view.svg.dataset.box);
-      view.svg.style.setProperty("--k", Math.max(view.box.width, view.box.height) / 900);
+      view.svg.style.transform = "";
+      for (const group of view.scaled) group.style.setProperty("--k", Math.max(view.box.width, view.box.height) / 900);
     }
   });
   addEventListener("afterprint", () => { for (const view of views.values()) view.drawn = NaN, view.show(); });

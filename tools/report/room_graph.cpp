@@ -46,7 +46,8 @@ public:
             passage.kind == PassageKind::Stair ? add_stair(passage, arrives) : add_link(passage);
         }
         for (const auto& [space, at] : places_) add_node(space, at);
-        return wall_ground(view_, storey_) + "<g class=\"glinks\" fill=\"none\">\n" + links_ + "</g>\n" + nodes_ +
+        return wall_ground(view_, storey_) + "<g class=\"glinks\" fill=\"none\">\n" + links_ +
+               "</g>\n<g class=\"gnodes\">\n" + nodes_ + "</g>\n" +
                "<g class=\"names gnames\" data-size=\"0.24\" style=\"--size:.24px\">\n" + names_ + "</g>\n";
     }
 

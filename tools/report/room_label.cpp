@@ -157,10 +157,14 @@ RoomLabel fit_label(const std::vector<std::vector<Mm>>& rings, Mm at, const std:
         for (const int size : {340, 280, 230, 190})
             if (RoomLabel label = fit(size, false, true); label.size > 0) return label;
     fitter.obstacles.clear();
-    for (const int size : {340, 280, 230, 190, 160, 130})
-        if (RoomLabel label = fit(size, false, true); label.size > 0) return label;
-    for (const int size : {230, 190, 160, 130})
-        if (RoomLabel label = fit(size, true, true); label.size > 0) return label;
+    struct Try {
+        int size;
+        bool upright;
+    };
+    for (const auto& [size, upright] :
+         {Try{340, false}, Try{280, false}, Try{230, false}, Try{230, true}, Try{190, false}, Try{190, true},
+          Try{160, false}, Try{160, true}, Try{130, false}, Try{130, true}})
+        if (RoomLabel label = fit(size, upright, true); label.size > 0) return label;
     if (name.empty()) return {};
     for (const int size : {160, 130, 110, 90})
         for (const bool upright : {false, true})
