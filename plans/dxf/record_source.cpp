@@ -241,6 +241,8 @@ void RecordSource::write_record() {
             if (pair.code == 2) write_text(3, pair.value);
             continue;
         }
+        // By the angle dxflib asks for a version that it has not set.
+        if (head_.value == "MTEXT" && pair.code == 50) continue;
         write_pair(pair);
     }
     if (head_.value == "SOLID" || head_.value == "TRACE" || head_.value == "3DFACE") write_last_corner();
