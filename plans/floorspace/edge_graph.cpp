@@ -42,6 +42,9 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
+/// What a file of crossing or overlapping edges may come to: many more than any building has, few enough for memory.
+constexpr std::size_t most_meetings = 200000;
+
 /// An edge with length, and the nodes on it besides its ends.
 struct Line {
     std::uint32_t edge;
@@ -92,6 +95,9 @@ private:
     [[nodiscard]] Point start(const Line& line) const { return graph_.nodes[line.a]; }
     [[nodiscard]] Point end(const Line& line) const { return graph_.nodes[line.b]; }
 
+    /// Past that, edges stay uncut: whoever lays out the walls finds their crossings again.
+    [[nodiscard]] bool full() const { return meetings_ >= std::max(most_meetings, 16 * lines_.size()); }
+
     /// Pairs of lines that come close, by a tree over their places on a grid that is no finer than the tolerance.
     void find_meetings() {
         if (lines_.empty()) return;
@@ -109,7 +115,7 @@ private:
         std::vector<Segment> segments;
         for (const Line& line : lines_) segments.push_back({on_grid(start(line)), on_grid(end(line))});
         visit_close_segments(segments, [&](std::span<const std::uint32_t> close) {
-            for (std::size_t i = 0; i < close.size(); ++i)
+            for (std::size_t i = 0; i < close.size() && !full(); ++i)
                 for (std::size_t k = i + 1; k < close.size(); ++k)
                     meet(std::min(close[i], close[k]), std::max(close[i], close[k]));
         });
@@ -140,6 +146,7 @@ private:
         const double across = cross(between, d) / turn;
         if (!(along > 0 && along < 1 && across > 0 && across < 1)) return;
         crossings_.push_back({l, m, start(line) + d * along});
+        ++meetings_;
     }
 
     /// Takes note of the node where it lies on the line between its ends.
@@ -147,6 +154,7 @@ private:
         if (node == line.a || node == line.b) return false;
         if (distance(graph_.nodes[node], start(line), end(line)) > floor_tolerance) return false;
         line.on.push_back(node);
+        ++meetings_;
         return true;
     }
 
@@ -180,6 +188,7 @@ private:
     NodeFinder finder_;
     std::vector<Line> lines_;
     std::vector<Crossing> crossings_;
+    std::size_t meetings_ = 0;
     std::unordered_map<std::uint64_t, std::uint32_t> piece_of_;
 };
 

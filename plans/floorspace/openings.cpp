@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "plans/limits.h"
 #include "plans/vector2.h"
@@ -54,7 +55,9 @@ public:
         if (aperture.edge == no_floor_item)
             return lose("names an edge that its story does not have (\"" + aperture.edge_id + "\")",
                         "Place it again in FloorspaceJS, or delete it.");
-        const std::vector<Run> runs = runs_of(aperture.edge);
+        const auto [known, fresh] = runs_.try_emplace(aperture.edge);
+        if (fresh) known->second = runs_of(aperture.edge);
+        const std::vector<Run>& runs = known->second;
         if (runs.empty())
             return lose("stands on an edge without a space beside it", "Place it on a wall of a space, or delete it.");
         switch (definition_->fill) {
@@ -122,10 +125,7 @@ private:
             if (aperture_->alphas.empty() && !aperture_->alpha_list) middles.push_back(length / 2);
         }
         if (middles.empty()) return no_room(length);
-        if (aperture_->alphas.size() < middles.size()) in_rows_ += middles.size();
-        if (in_rows_ > most_in_rows)
-            return lose("is one of more than " + std::to_string(most_in_rows) + " windows in rows on this storey",
-                        "Make the windows of its definition wider, or space them wider.");
+        if (aperture_->alphas.size() < middles.size() && too_many(middles.size())) return;
         for (const double middle : middles) place_at(runs, middle, opening);
     }
 
@@ -141,6 +141,15 @@ private:
         return middles;
     }
 
+    /// One entry of the file may stand for many windows: they are counted, lest a small file asks for any number.
+    bool too_many(std::size_t windows) {
+        in_rows_ += windows;
+        if (in_rows_ <= most_in_rows) return false;
+        lose("is one of more than " + std::to_string(most_in_rows) + " windows in rows on this storey",
+             "Make the windows of its definition wider, or space them wider.");
+        return true;
+    }
+
     void no_room(double length) {
         Finding& finding = report_.add(
             "P769", Severity::Warning, storey_,
@@ -151,10 +160,10 @@ private:
     }
 
     void place_at(const std::vector<Run>& runs, double middle, Opening opening) {
-        const Run* run = &runs.front();
-        for (const Run& other : runs)
-            if (middle > other.from) run = &other;
-        set_in_wall(*run, run->in_wall(middle), opening);
+        const auto behind = std::upper_bound(runs.begin() + 1, runs.end(), middle,
+                                             [](double at, const Run& run) { return at <= run.from; });
+        const Run& run = *(behind - 1);
+        set_in_wall(run, run.in_wall(middle), opening);
     }
 
     /// Into the part of the wall that no other wall takes up.
@@ -205,6 +214,7 @@ private:
         const double ratio = definition_->ratio.value_or(0);
         if (!(ratio > 0 && ratio < 1))
             return lose("asks for no share of glass between 0 and 1", "Set its window to wall ratio in FloorspaceJS.");
+        if (runs.size() > 1 && too_many(runs.size())) return;
         bool placed = false;
         for (const Run& run : runs) placed = place_pane(run, ratio, opening) || placed;
         if (!placed) no_room(runs.back().to);
@@ -252,7 +262,8 @@ private:
     FloorReport& report_;
     const FloorAperture* aperture_ = nullptr;
     const FloorDefinition* definition_ = nullptr;
-    std::size_t in_rows_ = 0;  ///< windows that rows without given places have come to
+    std::unordered_map<std::uint32_t, std::vector<Run>> runs_;  ///< by edge
+    std::size_t in_rows_ = 0;                                   ///< windows that rows without given places have come to
 };
 
 }  // namespace

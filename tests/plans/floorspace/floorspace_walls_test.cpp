@@ -179,6 +179,25 @@ TEST(FloorspaceWalls, OfSpacesSideBySideDoNotOverlap) {
     EXPECT_TRUE(floor_findings(read_floor({text.story()}), "P761").empty());
 }
 
+TEST(FloorspaceWalls, StayFewWhereThousandsOfEdgesCross) {
+    // Three million crossings: a small file must not ask for their memory.
+    const int count = 2500;
+    std::string vertices, edges, ids;
+    for (int k = 0; k < count; ++k) {
+        const std::string n = std::to_string(k);
+        vertices += (k > 0 ? "," : "") + ("{\"id\":\"a" + n) + "\",\"x\":0,\"y\":" + n + "},{\"id\":\"b" + n +
+                    "\",\"x\":1000,\"y\":" + std::to_string(count - k) + ".3}";
+        edges += (k > 0 ? "," : "") + ("{\"id\":\"" + n) + "\",\"vertex_ids\":[\"a" + n + "\",\"b" + n + "\"]}";
+        ids += (k > 0 ? ",\"" : "\"") + n + "\"";
+    }
+    const Plan plan = read_floor({"{\"id\":\"g\",\"floor_to_ceiling_height\":3,\"geometry\":{\"vertices\":[" +
+                                  vertices + "],\"edges\":[" + edges + "],\"faces\":[{\"id\":\"f\",\"edge_ids\":[" +
+                                  ids + "]}]},\"spaces\":[{\"face_id\":\"f\"}]}"});
+    EXPECT_GT(plan.storeys[0].walls.size(), 2500u);
+    EXPECT_LT(plan.storeys[0].walls.size(), 1000000u);
+    EXPECT_EQ(floor_findings(plan, "P760").size(), 1u);
+}
+
 TEST(FloorspaceWalls, DoNotStandInSlits) {
     // The hall goes around the core: out to it along an edge, and back along the same.
     FloorText text;
