@@ -1,5 +1,6 @@
 #include "modeler/exports/dot.h"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -15,9 +16,10 @@ namespace {
 
 using plans::rounded_text;
 
-constexpr double points_per_metre = 72 / 2.54;  // 1:100
+constexpr std::uint32_t no_storey = UINT32_MAX;
+constexpr double points_per_metre = 72 / 0.0254 / 40;  // 1:40
 constexpr const char* head = R"(graph "enfilade" {
-  graph [overlap=false, splines=true, fontname="sans-serif", fontsize=10, color="#999999"];
+  graph [layout=neato, inputscale=72, splines=true, fontname="sans-serif", fontsize=10, color="#999999"];
   node [fontname="sans-serif", fontsize=9, style=filled, fillcolor="#ffffff", color="#444444"];
   edge [fontname="sans-serif", fontsize=7, color="#444444"];
 )";
@@ -56,7 +58,19 @@ const char* look_of(accel::PortalKind kind) {
 
 class Writer {
 public:
-    explicit Writer(const accel::SceneView& scene) : scene_(scene), areas_(portal_areas(scene)) {}
+    explicit Writer(const accel::SceneView& scene) : scene_(scene), areas_(portal_areas(scene)) {
+        double low = 0;
+        double high = 0;
+        bool is_first = true;
+        for (std::size_t c = 0; c < scene.cells.size(); ++c) {
+            if (scene.spaces[index(scene.cells[c].space)].storey_index == no_storey) continue;
+            const double y = measure(scene, accel::CellId(c)).centre[1];
+            low = is_first ? y : std::min(low, y);
+            high = is_first ? y : std::max(high, y);
+            is_first = false;
+        }
+        storey_step_ = high - low + 4;
+    }
 
     std::string spaces() {
         const SpaceGraph graph = space_graph(scene_, areas_);
@@ -76,7 +90,7 @@ public:
                 const accel::Space& space = scene_.spaces[node.space];
                 std::string label = name_of_space(space);
                 if (space.label == accel::Label::Room) label += '\n' + rounded_text(node.measure.floor_area, 1) + " m²";
-                add_node("s" + std::to_string(node.space), label, space.label, node.measure);
+                add_node("s" + std::to_string(node.space), label, space.label, space.storey_index, node.measure);
             }
             if (k > 0) text_ += "  }\n";
         }
@@ -93,7 +107,7 @@ public:
             open_cluster(s, name_of_space(scene_.spaces[s]));
             for (const std::uint32_t c : members[s])
                 add_node("c" + std::to_string(c), std::to_string(c), scene_.cells[c].label,
-                         measure(scene_, accel::CellId(c)));
+                         scene_.spaces[s].storey_index, measure(scene_, accel::CellId(c)));
             text_ += "  }\n";
         }
         for (std::size_t p = 0; p < scene_.portals.size(); ++p) {
@@ -113,10 +127,13 @@ private:
     void open_cluster(std::size_t number, const std::string& label) {
         text_ += "  subgraph cluster_" + std::to_string(number) + " {\n    label=" + quoted(label) + ";\n";
     }
-    void add_node(const std::string& id, const std::string& label, accel::Label kind, const CellMeasure& measure) {
+    /// Storeys are drawn over each other, each as the plan has it.
+    double rise_of(std::uint32_t storey) const { return storey == no_storey ? 0 : storey * storey_step_; }
+    void add_node(const std::string& id, const std::string& label, accel::Label kind, std::uint32_t storey,
+                  const CellMeasure& measure) {
         text_ += "    " + id + " [label=" + quoted(label) + ", " + look_of(kind) + ", pos=\"" +
                  rounded_text(measure.centre[0] * points_per_metre, 2) + ',' +
-                 rounded_text(measure.centre[1] * points_per_metre, 2) + "\"];\n";
+                 rounded_text((measure.centre[1] + rise_of(storey)) * points_per_metre, 2) + "!\"];\n";
     }
     void add_edge(const std::string& from, const std::string& to, accel::PortalKind kind, double opening) {
         text_ += "  " + from + " -- " + to + " [" + look_of(kind) + ", label=\"" + rounded_text(opening, 2) + "\"];\n";
@@ -124,6 +141,7 @@ private:
 
     const accel::SceneView& scene_;
     std::vector<double> areas_;
+    double storey_step_ = 0;  ///< metres
     std::string text_ = head;
 };
 

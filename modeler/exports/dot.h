@@ -14,8 +14,9 @@ enum class GraphLevel : std::uint8_t {
 
 /// An undirected graph in the DOT language. Storeys (at cell level: spaces) are clusters; rooms are boxes with their
 /// floor area, doors and windows small ellipses; edges say how many square metres are open, glass is dashed and cuts
-/// of one space are dotted. Nodes carry `pos` (their centre as seen from above, in points of 1/72 inch, 1:100), which
-/// `neato -n` takes for a drawing that looks like the plan. About 150 bytes a node and 60 an edge.
+/// of one space are dotted. Each node has its place in the plan (1:40), storeys over each other, so that
+/// `dot -Tsvg` draws what one recognises; `-Kfdp` makes a layout of its own, with the clusters drawn.
+/// About 150 bytes a node and 60 an edge.
 [[nodiscard]] std::string to_dot(const accel::SceneView& scene, GraphLevel level = GraphLevel::Spaces);
 
 }  // namespace enfilade::modeler

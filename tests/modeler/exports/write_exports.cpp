@@ -14,6 +14,7 @@
 #include "modeler/exports/hbjson.h"
 #include "modeler/exports/indoor_gml.h"
 #include "modeler/exports/obj.h"
+#include "modeler/exports/scene_mesh.h"
 #include "modeler/space_parts.h"
 #include "tests/modeler/exports/exports_fixture.h"
 
@@ -35,6 +36,18 @@ plans::Plan plan_named(const std::string& name) {
             {test::nasty_name, test::nasty_name, "room", {{1, 1}, {1.5, 1}, {1, 2}}, {}, {}});
         plan.storeys[0].walls[4].id = plan.storeys[0].openings[1].wall = "m<&\"'>";
         plan.storeys[0].lights.push_back({"l", test::nasty_name, {1, 1}, 2, {1, 1, 1}, 100});
+        for (const double x : {0.5, 1.0})
+            plan.storeys[0].furniture.push_back({test::nasty_name + std::to_string(x),
+                                                 test::nasty_name,
+                                                 test::nasty_name,
+                                                 {x, 2},
+                                                 0,
+                                                 x,
+                                                 0.5,
+                                                 0.25,
+                                                 1,
+                                                 false,
+                                                 {}});
         return plan;
     }
     return plans::read(name);
@@ -52,11 +65,21 @@ Json facts(const test::BuiltPlan& plan) {
     std::map<std::uint32_t, double> volume;
     for (const modeler::SpacePart& part : modeler::space_parts(model))
         volume[part.space] += modeler::area_m2(model, part) * model.frame.unit * (part.z_high - part.z_low);
-    Json json = {{"cells", plan.scene.view().cells.size()}, {"portals", plan.scene.view().portals.size()}};
+    const modeler::Fittings fittings = modeler::fittings(model);
+    double lumen = 0;
+    for (const modeler::PlacedLight& light : fittings.lights) lumen += light.power_lumen;
+    Json json = {{"cells", plan.scene.view().cells.size()},
+                 {"portals", plan.scene.view().portals.size()},
+                 {"triangles", modeler::scene_mesh(plan.scene.view()).triangle_count()},
+                 {"lights", fittings.lights.size()},
+                 {"lumen", lumen},
+                 {"furniture", fittings.furniture.size()}};
     for (const auto& [space, cubic_metres] : volume)
-        json["spaces"].push_back({{"id", model.spaces[space].id},
-                                  {"label", accel::name_of(model.spaces[space].label)},
-                                  {"volume", cubic_metres}});
+        json["spaces"].push_back(
+            {{"id", model.spaces[space].id},
+             {"name", model.spaces[space].name.empty() ? model.spaces[space].id : model.spaces[space].name},
+             {"label", accel::name_of(model.spaces[space].label)},
+             {"volume", cubic_metres}});
     return json;
 }
 
