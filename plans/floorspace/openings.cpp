@@ -125,7 +125,7 @@ private:
             if (aperture_->alphas.empty() && !aperture_->alpha_list) middles.push_back(length / 2);
         }
         if (middles.empty()) return no_room(length);
-        if (aperture_->alphas.size() < middles.size() && too_many(middles.size())) return;
+        if (middles.size() > std::max<std::size_t>(1, aperture_->alphas.size()) && too_many(middles.size())) return;
         for (const double middle : middles) place_at(runs, middle, opening);
     }
 
