@@ -152,7 +152,8 @@ SvgPath furniture_paths(const PlanView& view, std::uint32_t storey) {
     const plans::Storey* plan = view.plan_storey(storey);
     if (!plan) return path;
     for (const plans::Furniture& piece : plan->furniture) {
-        if (std::max(piece.width, piece.depth) < 0.25) continue;  // lamps, plates: specks on a plan
+        // Lamps and plates are specks on a plan, and what hangs under the ceiling is above it.
+        if (std::max(piece.width, piece.depth) < 0.25 || piece.elevation >= 1.8) continue;
         const Point along = {std::cos(piece.angle), std::sin(piece.angle)}, back = plans::turned_left(along);
         const auto corner = [&](double x, double y) {
             return view.mm(piece.position + along * (x * piece.width / 2) + back * (y * piece.depth / 2));
