@@ -32,6 +32,7 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     check_planarity(subject, blame, report);
     check_shells(subject, blame, report);
     check_partition(building, blame, report);
+    check_directions(subject, blame, report);
     if (building.convex) check_convexity(building, blame, report);
     check_portals(building, blame, report);
     report.findings.insert(report.findings.end(), building.findings.begin(), building.findings.end());

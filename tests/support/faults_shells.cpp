@@ -30,6 +30,23 @@ bool keeps_faces(const FaceOracle& oracle, const std::vector<std::uint32_t>& mov
     return std::all_of(moved.begin(), moved.end(), [&](std::uint32_t v) { return oracle.is_alone(v); });
 }
 
+/// A hull that is no box is G5's.
+bool touches_hull(const Building& building, const FaceOracle& oracle, const std::vector<std::uint32_t>& vertices) {
+    for (const std::uint32_t f : faces_at(oracle, vertices))
+        for (const std::uint32_t v : oracle.faces()[f].volumes)
+            if (building.volumes[v].label == Label::Outside) return true;
+    return false;
+}
+
+/// The vertices of all faces that lean after a move.
+std::vector<std::uint32_t> tilted_rings(const FaceOracle& oracle, const std::vector<std::uint32_t>& moved) {
+    std::vector<std::uint32_t> all;
+    for (const std::uint32_t f : faces_at(oracle, moved))
+        if (!oracle.is_level(f) && !oracle.is_upright(f))
+            all.insert(all.end(), oracle.faces()[f].ring.begin(), oracle.faces()[f].ring.end());
+    return all;
+}
+
 /// Anywhere in the box around the vertices, and all elements that have them.
 InjectedFault fault_around(const Building& building, const FaceOracle& oracle, std::string code,
                            const std::vector<std::uint32_t>& vertices, double margin) {
@@ -145,8 +162,8 @@ std::optional<InjectedFault> inject_g7(Building& building, plans::Random& random
             before.push_back(building.vertices[v]);
             for (std::size_t i = 0; i < 3; ++i) building.vertices[v][i] += way[i];
         }
-        if (is_tilted(f) && keeps_faces(oracle, moved))
-            return fault_around(building, oracle, "G7", ring, building.frame.unit);
+        if (is_tilted(f) && keeps_faces(oracle, moved) && !touches_hull(building, oracle, moved))
+            return fault_around(building, oracle, "G7", tilted_rings(oracle, moved), building.frame.unit);
         for (std::size_t n = 0; n < moved.size(); ++n) building.vertices[moved[n]] = before[n];
     }
     return std::nullopt;
