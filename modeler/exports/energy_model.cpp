@@ -14,6 +14,7 @@ namespace {
 constexpr double least = 0.001;         ///< metres: narrower faces are rounding's
 constexpr double least_area = 1e-4;     ///< square metres
 constexpr double least_cosine = 0.985;  ///< of sides that face each other: ten degrees
+constexpr double most_thickness = 1.5;  ///< metres of wall between a pair
 constexpr std::uint32_t no_index = UINT32_MAX;
 
 struct Rectangle {
@@ -26,7 +27,7 @@ Rectangle of(const WallTile& tile) { return {tile.u_low, tile.u_high, tile.z_low
 class Builder {
 public:
     explicit Builder(const Building& building)
-        : building_(building), parts_(space_parts(building)), views_(wall_views(building, parts_)) {
+        : building_(building), parts_(space_parts(building)), views_(wall_views(building, parts_, most_thickness)) {
         room_of_.assign(parts_.size(), no_index);
         for (std::uint32_t p = 0; p < parts_.size(); ++p) {
             if (!is_room(building, parts_[p])) continue;
@@ -200,30 +201,30 @@ private:
                 std::min(a.z_high, b.z_high)};
     }
 
-    /// The free tile that looks back at a tile, over the largest area.
+    /// The free tile that looks back at a tile, over the largest area; best on the very side that the tile sees.
     TileAt partner(std::uint32_t s, std::uint32_t t) const {
         const WallTile& tile = views_.sides[s].tiles[t];
         const std::uint32_t part = views_.sides[s].part;
         TileAt best;
         double most = 0;
-        const auto consider = [&](std::uint32_t other) {
+        if (tile.part == part) return best;
+        for (const std::uint32_t other : sides_of_[tile.part]) {
             const auto a = direction(s), b = direction(other);
-            if (a[0] * b[0] + a[1] * b[1] > -least_cosine) return;
+            if (a[0] * b[0] + a[1] * b[1] > -least_cosine) continue;
+            const double apart = a[1] * (views_.sides[other].from[0] - views_.sides[s].from[0]) -
+                                 a[0] * (views_.sides[other].from[1] - views_.sides[s].from[1]);
+            if (apart < -least || apart > most_thickness) continue;
             const Rectangle seen = project(s, of(tile), other);
             for (std::uint32_t k = 0; k < views_.sides[other].tiles.size(); ++k) {
                 const WallTile& back = views_.sides[other].tiles[k];
                 if (used_[other][k] || back.across != Across::Part || back.part != part || back.is_air != tile.is_air)
                     continue;
-                if (back.side != no_index && back.side != s) continue;
                 const Rectangle both = common(seen, of(back));
-                const double size = both.is_something() ? (both.u_high - both.u_low) * (both.z_high - both.z_low) : 0;
-                if (size > most) most = size, best = {other, k};
+                const bool is_seen = other == tile.side && (back.side == s || back.side == no_index);
+                const double size = (both.u_high - both.u_low) * (both.z_high - both.z_low) * (is_seen ? 4 : 1);
+                if (both.is_something() && size > most) most = size, best = {other, k};
             }
-        };
-        if (tile.part == part) return {};
-        if (tile.side != no_index) consider(tile.side);
-        else
-            for (const std::uint32_t other : sides_of_[tile.part]) consider(other);
+        }
         return best;
     }
 
@@ -264,7 +265,7 @@ private:
         if (!r.is_something()) return;
         EnergyFace face = wall_face(s, r);
         face.across = across;
-        if (with_openings)
+        if (with_openings && across == Across::Outdoors)  // a window into the earth is none
             for (const WallOpening& opening : with_openings->openings) {
                 const Rectangle inside = inset({opening.u_low, opening.u_high, opening.z_low, opening.z_high}, r);
                 if (inside.is_something()) face.openings.push_back({parts_[opening.part].space, corners(s, inside)});

@@ -14,8 +14,9 @@ namespace {
 
 using Point2 = std::array<double, 2>;
 constexpr std::uint32_t no_index = UINT32_MAX;
-constexpr double least = 0.001;  ///< metres: narrower stretches are rounding's
-constexpr double bucket = 2.0;   ///< metres: edge of the squares in which borders are looked up
+constexpr double least = 0.001;           ///< metres: narrower stretches are rounding's
+constexpr std::size_t most_openings = 4;  ///< one behind the other
+constexpr double bucket = 2.0;            ///< metres: edge of the squares in which borders are looked up
 
 /// A stretch over which a part with light, or the earth, ends at something solid.
 struct Border {
@@ -67,6 +68,9 @@ public:
     }
 
 private:
+    static bool is_hole(Label label) {
+        return label == Label::Door || label == Label::Window || label == Label::Opening;
+    }
     Label label_of(std::uint32_t part) const { return building_.spaces[parts_[part].space].label; }
     Point2 metres(std::uint32_t point) const {
         const double unit = building_.frame.unit;
@@ -84,7 +88,7 @@ private:
         for (const SideStrip& strip : side.strips)
             for (const SideInterval& interval : strip.intervals) {
                 const Label behind = building_.volumes[interval.behind].label;
-                if (behind == Label::Door || behind == Label::Window || behind == Label::Opening) {
+                if (is_hole(behind)) {
                     auto& list = around_[part_of_[interval.behind]];
                     if (list.empty() || list.back() != s) list.push_back(s);
                 } else if (behind == Label::Wall || behind == Label::Slab) {
@@ -244,23 +248,33 @@ private:
         return {Across::Part, is_air, part, side, no_index};
     }
 
-    /// Through a door or window, to the side of it that is most turned to this one.
+    /// Through a door or window, and what lies behind it in walls that lie against each other, to the side that is most
+    /// turned to this one.
     View view_through(std::uint32_t s, std::uint32_t opening) const {
         const auto direction = [&](std::uint32_t side) {
             const ViewedSide& viewed = result_.sides[side];
             return std::atan2(viewed.to[1] - viewed.from[1], viewed.to[0] - viewed.from[0]);
         };
-        std::uint32_t best = no_index;
-        double least_cosine = 0;
-        for (const std::uint32_t side : around_.at(opening)) {
-            const double cosine = std::cos(direction(side) - direction(s));
-            if (side != s && cosine < least_cosine) best = side, least_cosine = cosine;
+        std::vector<std::uint32_t> passed = {result_.sides[s].part};
+        bool is_air = true;
+        for (std::uint32_t part = opening; passed.size() <= most_openings;) {
+            passed.push_back(part);
+            is_air = is_air && label_of(part) == Label::Opening;
+            std::uint32_t best = no_index;
+            double least_cosine = 0;
+            for (const std::uint32_t side : around_.at(part)) {
+                if (std::find(passed.begin() + 1, passed.end(), result_.sides[side].part) != passed.end()) continue;
+                const double cosine = std::cos(direction(side) - direction(s));
+                if (side != s && cosine < least_cosine) best = side, least_cosine = cosine;
+            }
+            if (best == no_index) return {};
+            part = result_.sides[best].part;
+            if (is_hole(label_of(part))) continue;
+            View view = view_of(part, best, is_air);
+            if (view.across != Across::Nothing && !view.is_air) view.opening = opening;
+            return view;
         }
-        if (best == no_index) return {};
-        const bool is_air = label_of(opening) == Label::Opening;
-        View view = view_of(result_.sides[best].part, best, is_air);
-        if (view.across != Across::Nothing && !view.is_air) view.opening = opening;
-        return view;
+        return {};
     }
 
     static void add_opening(const WallOpening& piece, std::vector<WallOpening>& openings) {
