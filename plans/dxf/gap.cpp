@@ -45,7 +45,7 @@ GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& st
         evidence.u0 = std::min(evidence.u0, std::clamp(u, gap.u0, gap.u1));
         evidence.u1 = std::max(evidence.u1, std::clamp(u, gap.u0, gap.u1));
     };
-    bool closed_low = false, closed_high = false;
+    bool closed_low = false, closed_high = false, own_end = false;
     for (const std::uint32_t k : index.near(box.grown(reach))) {
         const SheetStroke& s = strokes[k];
         const Local a = local(s.stroke.a), b = local(s.stroke.b);
@@ -54,10 +54,11 @@ GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& st
             std::max(a.v, b.v) > 0.2 * half && std::min(a.v, b.v) < -0.2 * half) {
             // At a corner the face of the other wall closes this one, up to a thickness further on.
             const double slack = gap.thickness * 1.1 + 0.03;
-            if (a.u > gap.u0 - 0.03 && a.u < gap.u0 + slack && a.u < middle)
-                closed_low = true, evidence.jamb0 = std::max(evidence.jamb0, a.u);
-            if (a.u < gap.u1 + 0.03 && a.u > gap.u1 - slack && a.u > middle)
-                closed_high = true, evidence.jamb1 = std::min(evidence.jamb1, a.u);
+            const bool low = a.u > gap.u0 - 0.03 && a.u < gap.u0 + slack && a.u < middle;
+            const bool high = a.u < gap.u1 + 0.03 && a.u > gap.u1 - slack && a.u > middle;
+            if (low) closed_low = true, evidence.jamb0 = std::max(evidence.jamb0, a.u);
+            if (high) closed_high = true, evidence.jamb1 = std::min(evidence.jamb1, a.u);
+            own_end = own_end || ((low || high) && length < 1.3 * gap.thickness + 0.03);
         }
         if (s.role == Role::Unknown && s.stroke.bulge == 0 && std::abs(b.u - a.u) > 0.9 * length &&
             length > 0.5 * (gap.u1 - gap.u0) && std::abs(a.v) < half + 0.02 && std::abs(b.v) < half + 0.02)
@@ -92,16 +93,18 @@ GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& st
         if (s.rule && s.rule->sill) evidence.sill = s.rule->sill;
         if (s.rule && s.rule->head) evidence.head = s.rule->head;
     }
-    evidence.jambs = closed_low && closed_high;
+    // Faces of other walls at both ends are a room or corridor between, not an opening.
+    evidence.jambs = closed_low && closed_high && own_end;
     return evidence;
 }
 
-OpeningKind kind_of(const GapEvidence& evidence, bool exterior) {
-    if (evidence.door_arcs > 0) return OpeningKind::Door;
-    if (evidence.window_lines > 0) return OpeningKind::Window;
-    if (evidence.door_lines > 0) return OpeningKind::Door;
-    if (evidence.opening_lines > 0) return exterior ? OpeningKind::Window : OpeningKind::Door;
-    return exterior && evidence.other_lines >= 2 ? OpeningKind::Window : OpeningKind::Opening;
+GapKind kind_of(const GapEvidence& evidence) {
+    if (evidence.door_arcs > 0) return {OpeningKind::Door, {}};
+    if (evidence.window_lines > 0) return {OpeningKind::Window, {}};
+    if (evidence.door_lines > 0) return {OpeningKind::Door, {}};
+    if (evidence.opening_lines > 0) return {OpeningKind::Window, OpeningKind::Door};
+    if (evidence.other_lines >= 2) return {OpeningKind::Window, OpeningKind::Opening};
+    return {OpeningKind::Opening, {}};
 }
 
 }  // namespace enfilade::plans

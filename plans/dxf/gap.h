@@ -28,7 +28,7 @@ struct GapEvidence {
     std::uint32_t other_lines = 0;  ///< along the wall within its width, of layers that say nothing
     double jamb0 = 0;               ///< where lines across close the wall's ends
     double jamb1 = 0;
-    bool jambs = false;          ///< both ends are closed by a line across
+    bool jambs = false;          ///< both ends are closed by a line across, one of them by the wall's own end
     std::optional<double> sill;  ///< as the mapping file has them
     std::optional<double> head;
     std::vector<std::uint32_t> strokes;  ///< those that were counted
@@ -52,8 +52,12 @@ struct DoorSwing {
 [[nodiscard]] GapEvidence gap_evidence(const GapPlace& gap, const std::vector<SheetStroke>& strokes,
                                        const StrokeIndex& index);
 
-/// `exterior`: nothing but the open lies on one side of the wall. Lines without a swing are a window there, and a
-/// sliding or folding door inside.
-[[nodiscard]] OpeningKind kind_of(const GapEvidence& evidence, bool exterior);
+/// What an opening is by what is drawn in it. Where no layer tells, lines along the wall are a window to the open, and
+/// between rooms a sliding or folding door (or nothing but a hole).
+struct GapKind {
+    OpeningKind kind = OpeningKind::Opening;
+    std::optional<OpeningKind> inside;
+};
+[[nodiscard]] GapKind kind_of(const GapEvidence& evidence);
 
 }  // namespace enfilade::plans

@@ -172,26 +172,33 @@ void add_columns(Storey& storey, const Drawing& drawing, const Roles& roles, dou
     }
 }
 
+/// Lines of wall layers that no wall is made of, but for those as short as the ends of walls.
+std::optional<Finding> lone_lines(const WallBodies& bodies) {
+    double lone = 0;
+    std::size_t count = 0;
+    const WallBody* longest = nullptr;
+    for (const WallBody& line : bodies.single) {
+        if (line.u1 - line.u0 < PairLimits{}.most) continue;
+        lone += line.u1 - line.u0;
+        ++count;
+        if (!longest || line.u1 - line.u0 > longest->u1 - longest->u0) longest = &line;
+    }
+    if (!longest) return std::nullopt;
+    Finding left =
+        finding("P725", Severity::Warning,
+                "Lines of wall layers have no parallel partner at a wall's distance (" + std::to_string(count) +
+                    (count == 1 ? " piece, " : " pieces, ") + length_text(lone) + " in all): no wall is made of them.",
+                "Draw both faces of these walls, or map their layer to \"ignored\" (--mapping).");
+    const Point dir = bodies.groups[longest->group].dir;
+    const Point at = dir * ((longest->u0 + longest->u1) / 2) + turned_left(dir) * longest->v;
+    left.point = {at.x, at.y, 0};
+    return left;
+}
+
 /// What the drawing has and the plan has not.
 void report_rest(const Drawing& drawing, const Roles& roles, const WallBodies& bodies, bool single_lines,
                  std::vector<Finding>& findings) {
-    double lone = 0;
-    for (const WallBody& line : bodies.single) lone += line.u1 - line.u0;
-    if (!single_lines && lone > 0.5) {
-        Finding left = finding("P725", Severity::Warning,
-                               "Lines of wall layers, " + length_text(lone) +
-                                   " in all, have no parallel partner at a "
-                                   "wall's distance (" +
-                                   std::to_string(bodies.single.size()) + " pieces): no wall is made of them.",
-                               "Draw both faces of these walls, or map their layer to \"ignored\" (--mapping).");
-        const auto longest =
-            std::max_element(bodies.single.begin(), bodies.single.end(),
-                             [](const WallBody& l, const WallBody& r) { return l.u1 - l.u0 < r.u1 - r.u0; });
-        const Point dir = bodies.groups[longest->group].dir;
-        const Point at = dir * ((longest->u0 + longest->u1) / 2) + turned_left(dir) * longest->v;
-        left.point = {at.x, at.y, 0};
-        findings.push_back(std::move(left));
-    }
+    if (const auto left = single_lines ? std::nullopt : lone_lines(bodies)) findings.push_back(*left);
     std::uint32_t stairs = 0, furniture = 0, unknown = 0;
     for (const Shape& shape : drawing.shapes) {
         const Role role = roles.of(drawing, shape);

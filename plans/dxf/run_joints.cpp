@@ -82,7 +82,6 @@ void join_ends(std::vector<WallRun>& runs) {
 void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>& strokes, const StrokeIndex& index,
                      std::vector<bool>& used, const GapLimits& limits) {
     const std::vector<WallRun> found = runs;
-    const Outside outside(found);
     for (std::uint32_t k = 0; k < runs.size(); ++k)
         for (const bool at_end : {false, true}) {
             WallRun& run = runs[k];
@@ -106,8 +105,7 @@ void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>&
             const GapEvidence seen = gap_evidence(gap, strokes, index);
             if (!seen.fills(gap)) continue;
             for (const std::uint32_t s : seen.strokes) used[s] = true;
-            const Point middle = d * ((gap.u0 + gap.u1) / 2) + turned_left(d) * gap.v;
-            const OpeningKind kind = kind_of(seen, outside.beside(middle, d, run.thickness, gap.u1 - gap.u0));
+            const GapKind kind = kind_of(seen);
             // What is not drawn over is wall, but for what may be the drawing's carelessness.
             const double u0 = seen.u0 - gap.u0 < 0.15 ? gap.u0 : seen.u0;
             const double u1 = gap.u1 - seen.u1 < 0.15 ? gap.u1 : seen.u1;
@@ -115,7 +113,7 @@ void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>&
             move_end(run, at_end, *nearest);
             (at_end ? run.end_joined : run.start_joined) = true;
             const double from = dot(d, run.start);
-            run.openings.push_back({kind, u0 - from, u1 - from, seen.sill, seen.head});
+            run.openings.push_back({kind.kind, kind.inside, u0 - from, u1 - from, seen.sill, seen.head});
             std::stable_sort(run.openings.begin(), run.openings.end(),
                              [](const RunOpening& l, const RunOpening& r) { return l.u0 < r.u0; });
         }

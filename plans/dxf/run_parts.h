@@ -8,16 +8,6 @@
 
 namespace enfilade::plans {
 
-/// Whether the open lies on one side of an opening in a wall: rays from it along the normal meet no other run.
-class Outside {
-public:
-    explicit Outside(const std::vector<WallRun>& runs) : runs_(runs) {}
-    [[nodiscard]] bool beside(Point place, Point direction, double thickness, double width) const;
-
-private:
-    const std::vector<WallRun>& runs_;
-};
-
 /// Runs across other runs' ends: leads each end to the axis that it reaches within the walls' thickness. \post *_joined
 void join_ends(std::vector<WallRun>& runs);
 

@@ -12,6 +12,38 @@ namespace {
 /// What is between two stretches of wall on one axis.
 enum class Between { Wall, Opening, Nothing };
 
+/// Whether the open lies beside an opening in a wall: rays from it along the normal meet no other run.
+bool is_exterior(const std::vector<WallRun>& runs, Point place, Point direction, double thickness, double width) {
+    const Point normal = turned_left(direction);
+    // Three rays to each side: joints of drawn walls have holes through which one may slip.
+    int escaped[2] = {0, 0};
+    for (const double shift : {-0.3, 0.0, 0.3}) {
+        const Point from = place + direction * (shift * width);
+        bool hit[2] = {false, false};
+        for (const WallRun& run : runs) {
+            const double sa = dot(run.start - from, direction), sb = dot(run.end - from, direction);
+            if (sa * sb > 0 || std::abs(sb - sa) < 1e-9) continue;
+            const Point at = run.start + (run.end - run.start) * (sa / (sa - sb));
+            const double t = dot(at - from, normal);
+            if (std::abs(t) >= thickness) hit[t > 0] = true;
+        }
+        escaped[0] += !hit[0];
+        escaped[1] += !hit[1];
+    }
+    return escaped[0] >= 2 || escaped[1] >= 2;
+}
+
+void settle_kinds(std::vector<WallRun>& runs) {
+    for (WallRun& run : runs)
+        for (RunOpening& opening : run.openings) {
+            if (!opening.inside) continue;
+            const Point d = (run.end - run.start) * (1 / distance(run.start, run.end));
+            const Point middle = run.start + d * ((opening.u0 + opening.u1) / 2);
+            if (!is_exterior(runs, middle, d, run.thickness, opening.u1 - opening.u0)) opening.kind = *opening.inside;
+            opening.inside.reset();
+        }
+}
+
 class RunMaker {
 public:
     RunMaker(const WallBodies& bodies, const std::vector<SheetStroke>& strokes, const GapLimits& limits)
@@ -30,6 +62,7 @@ public:
         bridge_to_walls(runs, strokes_, index_, used_, limits_);
         join_ends(runs);
         place_symbols(runs, strokes_, used_);
+        settle_kinds(runs);
         return runs;
     }
 
@@ -109,20 +142,22 @@ private:
         return false;
     }
 
-    /// Another wall fills the gap: it comes from one side or runs across.
+    /// Other walls fill the gap: they come from one side or run across.
     [[nodiscard]] bool crossing(const GapPlace& gap) const {
         const Point normal = turned_left(gap.dir);
+        double filled = 0;
         for (const WallRun& other : as_runs_) {
             const Point d = (other.end - other.start) * (1 / distance(other.start, other.end));
             const double sine = std::abs(cross(gap.dir, d));
-            if (sine < 0.2 || other.thickness / sine < 0.6 * (gap.u1 - gap.u0)) continue;
+            if (sine < 0.2) continue;
             const double va = dot(normal, other.start) - gap.v, vb = dot(normal, other.end) - gap.v;
             if (std::min(va, vb) > gap.thickness / 2 + 0.05 || std::max(va, vb) < -gap.thickness / 2 - 0.05) continue;
             const double t = std::abs(vb - va) < 1e-9 ? 0 : va / (va - vb);
             const double u = dot(gap.dir, other.start + (other.end - other.start) * t);
-            if (u > gap.u0 - 0.05 && u < gap.u1 + 0.05) return true;
+            const double half = other.thickness / sine / 2;
+            filled += std::max(0.0, std::min(u + half, gap.u1) - std::max(u - half, gap.u0));
         }
-        return false;
+        return filled >= 0.6 * (gap.u1 - gap.u0);
     }
 
     void finish(const std::vector<WallBody>& axis, std::size_t first, std::size_t end, double reached,
@@ -139,12 +174,10 @@ private:
         const Point at = turned_left(dir) * (v / weight);
         const double u0 = axis[first].u0;
         WallRun run{dir * u0 + at, dir * reached + at, thickness / weight, axis[first].height, {}};
-        const Outside outside(as_runs_);
         for (std::size_t k = 0; k < gaps.size(); ++k) {
-            const Point middle = dir * ((gaps[k].u0 + gaps[k].u1) / 2) + at;
-            const bool exterior = outside.beside(middle, dir, run.thickness, gaps[k].u1 - gaps[k].u0);
+            const GapKind kind = kind_of(evidence[k]);
             run.openings.push_back(
-                {kind_of(evidence[k], exterior), gaps[k].u0 - u0, gaps[k].u1 - u0, evidence[k].sill, evidence[k].head});
+                {kind.kind, kind.inside, gaps[k].u0 - u0, gaps[k].u1 - u0, evidence[k].sill, evidence[k].head});
         }
         runs.push_back(std::move(run));
     }
@@ -158,26 +191,6 @@ private:
 };
 
 }  // namespace
-
-bool Outside::beside(Point place, Point direction, double thickness, double width) const {
-    const Point normal = turned_left(direction);
-    // Three rays to each side: joints of drawn walls have holes through which one may slip.
-    int escaped[2] = {0, 0};
-    for (const double shift : {-0.3, 0.0, 0.3}) {
-        const Point from = place + direction * (shift * width);
-        bool hit[2] = {false, false};
-        for (const WallRun& run : runs_) {
-            const double sa = dot(run.start - from, direction), sb = dot(run.end - from, direction);
-            if (sa * sb > 0 || std::abs(sb - sa) < 1e-9) continue;
-            const Point at = run.start + (run.end - run.start) * (sa / (sa - sb));
-            const double t = dot(at - from, normal);
-            if (std::abs(t) >= thickness) hit[t > 0] = true;
-        }
-        escaped[0] += !hit[0];
-        escaped[1] += !hit[1];
-    }
-    return escaped[0] >= 2 || escaped[1] >= 2;
-}
 
 std::vector<WallRun> wall_runs(const WallBodies& bodies, const std::vector<SheetStroke>& strokes,
                                const GapLimits& limits) {

@@ -10,7 +10,8 @@ namespace enfilade::plans {
 
 struct RunOpening {
     OpeningKind kind = OpeningKind::Opening;
-    double u0 = 0;  ///< metres along the run, from WallRun::start
+    std::optional<OpeningKind> inside;  ///< what it is instead where rooms lie on both sides of the wall
+    double u0 = 0;                      ///< metres along the run, from WallRun::start
     double u1 = 0;
     std::optional<double> sill;
     std::optional<double> head;
