@@ -7,6 +7,7 @@
 #include "tools/console.h"
 #include "tools/findings_text.h"
 #include "tools/output_file.h"
+#include "tools/report_page.h"
 #include "tools/version.h"
 
 namespace enfilade::tools {
@@ -71,16 +72,16 @@ std::string dump(const nlohmann::ordered_json& json) {
 
 void need_report_name(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
-    if (!file.empty() && extension != ".json" && extension != ".txt")
-        throw InputError("F104", file.string(), "A report is written as .json or as .txt: end its name so.");
+    if (!file.empty() && extension != ".html" && extension != ".json" && extension != ".txt")
+        throw InputError("F104", file.string(), "A report is written as .html, .json or .txt: end its name so.");
 }
 
 void write_report(const std::filesystem::path& file, const ReportSubject& subject, const modeler::CheckReport& report,
                   const modeler::Building* building) {
     need_report_name(file);
     const std::string extension = file.extension().string();
-    (void)building;
-    if (extension == ".json") write_text(file, dump(report_json(subject, report)));
+    if (extension == ".html") write_text(file, report_page(subject, report, building));
+    else if (extension == ".json") write_text(file, dump(report_json(subject, report)));
     else write_text(file, report_text(subject, report));
 }
 

@@ -64,6 +64,7 @@ std::string result_json(const BuildCommandOptions& options, const Built& built, 
 }  // namespace
 
 int run_build(const BuildCommandOptions& options, const Console& console) {
+    if (options.read.list_layers) return list_layers(options.plan, console);
     need_output(options.output, "build");
     need_report_name(options.report);
     const Built built = build_scene(options, console);

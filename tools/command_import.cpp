@@ -11,6 +11,7 @@
 namespace enfilade::tools {
 
 int run_import(const ImportOptions& options, const Console& console) {
+    if (options.read.list_layers) return list_layers(options.plan, console);
     need_output(options.output, "import");
     plans::Plan plan;
     nlohmann::ordered_json as_read;

@@ -81,6 +81,7 @@ void add_read_flags(CLI::App* command, ReadFlags& read) {
                      "drawings: read this layer only; * and ? match, and it may be given several times (all)")
         ->option_text("NAME")
         ->expected(1);
+    command->add_flag("--list-layers", read.list_layers, "drawings: name the layers with what is on them, and end");
     command
         ->add_option_function<std::string>(
             "--crop", [&read](const std::string& box) { read.options.crop = parse_crop(box); },

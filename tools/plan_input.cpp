@@ -37,4 +37,38 @@ void need_output(const std::filesystem::path& output, const std::string& command
         throw InputError("F100", "", "--output is required; \"enfilade " + command + " --help\" shows how.");
 }
 
+int list_layers(const std::filesystem::path& file, const Console& console) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw IoError(file.string() + " cannot be opened.");
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    const plans::Drawing drawing = plans::read_drawing(bytes, file.string());
+    if (console.json()) {
+        nlohmann::ordered_json json = {{"command", "list-layers"}, {"input", file.string()}};
+        json["unit"] = nullptr;
+        if (drawing.declared_unit) json["unit"] = plans::name_of(*drawing.declared_unit);
+        json["bounds"] = drawing.bounds;
+        json["layers"] = nlohmann::ordered_json::array();
+        for (const plans::Layer& layer : drawing.layers)
+            json["layers"].push_back({{"name", layer.name},
+                                      {"visible", layer.visible},
+                                      {"shapes", layer.shape_count},
+                                      {"texts", layer.text_count}});
+        console.print(dump(json));
+        return exit_ok;
+    }
+    std::size_t width = 5;
+    for (const plans::Layer& layer : drawing.layers) width = std::max(width, layer.name.size());
+    const auto row = [&](std::string name, const std::string& shapes, const std::string& texts, const char* note) {
+        name.resize(std::max(width, name.size()), ' ');
+        return name + std::string(10 - std::min<std::size_t>(9, shapes.size()), ' ') + shapes +
+               std::string(8 - std::min<std::size_t>(7, texts.size()), ' ') + texts + note + '\n';
+    };
+    std::string text = row("Layer", "shapes", "texts", "");
+    for (const plans::Layer& layer : drawing.layers)
+        text += row(layer.name, std::to_string(layer.shape_count), std::to_string(layer.text_count),
+                    layer.visible ? "" : "  (off)");
+    console.print(text);
+    return exit_ok;
+}
+
 }  // namespace enfilade::tools

@@ -26,6 +26,18 @@ std::optional<double> feet_and_inches(const std::string& text) {
     return std::nullopt;
 }
 
+/// A plain number that is not the measured length itself is the length in metres.
+std::optional<double> other_metres(const std::string& text, double length) {
+    double number = 0;
+    int used = 0;
+    if (std::sscanf(text.c_str(), " %lf%n", &number, &used) != 1 || std::size_t(used) != text.size() || number <= 0)
+        return std::nullopt;
+    const double ratio = length / number;
+    for (const double scale : {10.0, 100.0, 1000.0})
+        if (std::abs(ratio / scale - 1) < 0.01) return number;
+    return std::nullopt;
+}
+
 struct Sizes {
     double paired = 0;     ///< share of the wall lines that have a partner
     double thickness = 0;  ///< the usual one, metres
@@ -79,7 +91,9 @@ double score_of(const Sizes& sizes) {
 std::optional<double> typed_agreement(const Drawing& drawing, double scale) {
     std::uint32_t read = 0, agree = 0;
     for (const Dimension& dimension : drawing.dimensions) {
-        const auto typed = feet_and_inches(dimension.text);
+        const std::string& text = dimension.text.empty() ? dimension.written : dimension.text;
+        auto typed = feet_and_inches(text);
+        if (!typed) typed = other_metres(text, dimension.length);
         if (!typed || dimension.length <= 0 || *typed <= 0) continue;
         ++read;
         agree += std::abs(dimension.length * scale / *typed - 1) < 0.02;
