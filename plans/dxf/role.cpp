@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "plans/dxf/role_words.h"
+
 namespace enfilade::plans {
 namespace {
 
@@ -15,163 +17,6 @@ constexpr std::array role_names = {
     RoleName{Role::Door, "door"},          RoleName{Role::Window, "window"}, RoleName{Role::Opening, "opening"},
     RoleName{Role::Column, "column"},      RoleName{Role::Stair, "stair"},   RoleName{Role::Furniture, "furniture"},
     RoleName{Role::RoomName, "room name"},
-};
-
-/// Words that decide. A name is cut into words at everything that is no letter or digit; a word matches where it begins
-/// with the entry (entries of three letters and fewer: where it is the entry). Earlier rows win over later ones, so
-/// what is drawn about a wall or a door (its dimension, its hatch, its tag) is not taken for the thing.
-struct Word {
-    const char* word;
-    Role role;
-};
-constexpr std::array words = {
-    // What is written or hatched, built-in services, the world outside.
-    Word{"dim", Role::Ignored},
-    Word{"dims", Role::Ignored},
-    Word{"bemass", Role::Ignored},
-    Word{"cota", Role::Ignored},
-    Word{"cotes", Role::Ignored},
-    Word{"cotation", Role::Ignored},
-    Word{"hatch", Role::Ignored},
-    Word{"schraff", Role::Ignored},
-    Word{"patt", Role::Ignored},
-    Word{"iden", Role::Ignored},
-    Word{"anno", Role::Ignored},
-    Word{"text", Role::Ignored},
-    Word{"anntext", Role::Ignored},
-    Word{"note", Role::Ignored},
-    Word{"title", Role::Ignored},
-    Word{"border", Role::Ignored},
-    Word{"elec", Role::Ignored},
-    Word{"elektr", Role::Ignored},
-    Word{"light", Role::Ignored},
-    Word{"plumb", Role::Ignored},
-    Word{"hvac", Role::Ignored},
-    Word{"grid", Role::Ignored},
-    Word{"raster", Role::Ignored},
-    Word{"achse", Role::Ignored},
-    Word{"topo", Role::Ignored},
-    Word{"plant", Role::Ignored},
-    Word{"projection", Role::Ignored},
-    Word{"footer", Role::Ignored},
-    Word{"footing", Role::Ignored},
-    Word{"stem", Role::Ignored},
-    Word{"header", Role::Ignored},
-    Word{"beam", Role::Ignored},
-    Word{"querbalken", Role::Ignored},
-    Word{"roof", Role::Ignored},
-    Word{"dach", Role::Ignored},
-    Word{"ceil", Role::Ignored},
-    Word{"defpoints", Role::Ignored},
-    Word{"viewport", Role::Ignored},
-    Word{"hide", Role::Ignored},
-    Word{"texture", Role::Ignored},
-    // The things themselves.
-    Word{"door", Role::Door},
-    Word{"drs", Role::Door},
-    Word{"tur", Role::Door},
-    Word{"tuer", Role::Door},
-    Word{"tueren", Role::Door},
-    Word{"turen", Role::Door},
-    Word{"porte", Role::Door},
-    Word{"portes", Role::Door},
-    Word{"puerta", Role::Door},
-    Word{"porta", Role::Door},
-    Word{"deur", Role::Door},
-    Word{"drzwi", Role::Door},
-    Word{"двер", Role::Door},
-    Word{"门", Role::Door},
-    Word{"djamb", Role::Door},
-    Word{"window", Role::Window},
-    Word{"glaz", Role::Window},
-    Word{"glass", Role::Window},
-    Word{"wind", Role::Window},
-    Word{"fenster", Role::Window},
-    Word{"fenetre", Role::Window},
-    Word{"ventana", Role::Window},
-    Word{"finestr", Role::Window},
-    Word{"raam", Role::Window},
-    Word{"ramen", Role::Window},
-    Word{"janela", Role::Window},
-    Word{"okno", Role::Window},
-    Word{"okna", Role::Window},
-    Word{"окн", Role::Window},
-    Word{"窗", Role::Window},
-    Word{"opening", Role::Opening},
-    Word{"offnung", Role::Opening},
-    Word{"ouverture", Role::Opening},
-    Word{"apertura", Role::Opening},
-    Word{"doorswindows", Role::Opening},
-    Word{"doorwindow", Role::Opening},
-    Word{"jamb", Role::Opening},
-    Word{"column", Role::Column},
-    Word{"cols", Role::Column},
-    Word{"pillar", Role::Column},
-    Word{"stutze", Role::Column},
-    Word{"stuetze", Role::Column},
-    Word{"pfeiler", Role::Column},
-    Word{"poteau", Role::Column},
-    Word{"pilar", Role::Column},
-    Word{"pilastr", Role::Column},
-    Word{"kolom", Role::Column},
-    Word{"slup", Role::Column},
-    Word{"колонн", Role::Column},
-    Word{"柱", Role::Column},
-    Word{"stair", Role::Stair},
-    Word{"strs", Role::Stair},
-    Word{"trepp", Role::Stair},
-    Word{"escalier", Role::Stair},
-    Word{"escalera", Role::Stair},
-    Word{"scala", Role::Stair},
-    Word{"scale", Role::Stair},
-    Word{"trap", Role::Stair},
-    Word{"escada", Role::Stair},
-    Word{"schod", Role::Stair},
-    Word{"лестн", Role::Stair},
-    Word{"楼梯", Role::Stair},
-    Word{"furn", Role::Furniture},
-    Word{"mobel", Role::Furniture},
-    Word{"moebel", Role::Furniture},
-    Word{"mobilier", Role::Furniture},
-    Word{"meuble", Role::Furniture},
-    Word{"mueble", Role::Furniture},
-    Word{"mobil", Role::Furniture},
-    Word{"arredo", Role::Furniture},
-    Word{"meubel", Role::Furniture},
-    Word{"fixt", Role::Furniture},
-    Word{"flor", Role::Furniture},
-    Word{"case", Role::Furniture},
-    Word{"equip", Role::Furniture},
-    Word{"eqpm", Role::Furniture},
-    Word{"shel", Role::Furniture},
-    Word{"table", Role::Furniture},
-    Word{"couch", Role::Furniture},
-    Word{"sofa", Role::Furniture},
-    Word{"wall", Role::Wall},
-    Word{"wand", Role::Wall},
-    Word{"wande", Role::Wall},
-    Word{"waende", Role::Wall},
-    Word{"mauer", Role::Wall},
-    Word{"mur", Role::Wall},
-    Word{"murs", Role::Wall},
-    Word{"cloison", Role::Wall},
-    Word{"muro", Role::Wall},
-    Word{"muros", Role::Wall},
-    Word{"muri", Role::Wall},
-    Word{"pared", Role::Wall},
-    Word{"paret", Role::Wall},
-    Word{"tabique", Role::Wall},
-    Word{"muur", Role::Wall},
-    Word{"muren", Role::Wall},
-    Word{"parede", Role::Wall},
-    Word{"scian", Role::Wall},
-    Word{"стен", Role::Wall},
-    Word{"墙", Role::Wall},
-    Word{"room", Role::RoomName},
-    Word{"raum", Role::RoomName},
-    Word{"names", Role::RoomName},
-    Word{"area", Role::RoomName},
-    Word{"space", Role::RoomName},
 };
 
 bool is_word_byte(char c) {
@@ -196,16 +41,26 @@ std::vector<std::string> words_of(std::string_view name) {
     return result;
 }
 
-bool matches(const std::string& word, std::string_view entry) {
-    const bool is_latin = static_cast<unsigned char>(entry[0]) < 0x80;
-    return is_latin && entry.size() <= 3 ? word == entry : word.starts_with(entry);
+bool any_stands_for(std::span<const std::string_view> entries, const std::vector<std::string>& names) {
+    return std::any_of(entries.begin(), entries.end(), [&](std::string_view entry) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& word) { return dxf::stands_for(entry, word); });
+    });
+}
+
+/// How many bytes the letter takes that begins at `at`. UTF-8.
+std::size_t letter_size(std::string_view text, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) ++end;
+    return end - at;
 }
 
 bool pattern_matches(std::string_view pattern, std::string_view text) {
     std::size_t p = 0, t = 0, star = std::string_view::npos, mark = 0;
     while (t < text.size()) {
-        if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) ++p, ++t;
-        else if (p < pattern.size() && pattern[p] == '*') star = p++, mark = t;
+        if (p < pattern.size() && pattern[p] == '*') star = p++, mark = t;
+        else if (p < pattern.size() && pattern[p] == '?') ++p, t += letter_size(text, t);
+        else if (p < pattern.size() && pattern[p] == text[t]) ++p, ++t;
         else if (star != std::string_view::npos) p = star + 1, t = ++mark;
         else return false;
     }
@@ -237,15 +92,21 @@ std::optional<Role> role_named(std::string_view name) {
 }
 
 std::string folded(std::string_view name) {
-    // Latin-1 letters and the Polish ones, as their base letter; Cyrillic capitals as small letters.
+    // Latin letters as their base letter (U+00C0 on, U+0100 on), Cyrillic capitals as small letters.
     static constexpr std::string_view latin1 = "aaaaaaaceeeeiiiidnooooo*ouuuuypsaaaaaaaceeeeiiiidnooooo/ouuuuypy";
+    static constexpr std::string_view extended =
+        "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkkllllllllll"
+        "nnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+    static_assert(latin1.size() == 64 && extended.size() == 128);
     std::string text;
     for (std::size_t i = 0; i < name.size(); ++i) {
         const auto c = static_cast<unsigned char>(name[i]);
         const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : 0);
+        const bool follows = next >= 0x80 && next < 0xC0;
         if (c >= 'A' && c <= 'Z') text += char(c - 'A' + 'a');
-        else if (c == 0xC3 && next >= 0x80 && next < 0xC0) text += latin1[next - 0x80], ++i;
-        else if (c == 0xC5 && (next == 0x81 || next == 0x82)) text += 'l', ++i;
+        else if (c == 0xC3 && follows) text += latin1[next - 0x80], ++i;
+        else if ((c == 0xC4 || c == 0xC5) && follows) text += extended[(c - 0xC4u) * 64u + next - 0x80u], ++i;
+        else if ((c == 0xCC && follows) || (c == 0xCD && follows && next < 0xB0)) ++i;  // an accent by itself
         else if (c == 0xD0 && next >= 0x90 && next < 0xB0) {
             const int small = 0x430 + (next - 0x90);
             text += char(0xC0 | (small >> 6));
@@ -258,28 +119,21 @@ std::string folded(std::string_view name) {
 
 Role role_of_name(std::string_view name) {
     const std::vector<std::string> parts = words_of(name);
-    for (const Word& entry : words)
-        for (const std::string& word : parts) {
-            if (!matches(word, entry.word)) continue;
-            if (entry.role != Role::Wall) {
-                // One layer for doors and windows: the shapes tell them apart.
-                const bool door_and_window =
-                    (entry.role == Role::Door || entry.role == Role::Window) &&
-                    std::any_of(parts.begin(), parts.end(), [&](const std::string& other) {
-                        return std::any_of(words.begin(), words.end(), [&](const Word& w) {
-                            return (w.role == Role::Door || w.role == Role::Window || w.role == Role::Opening) &&
-                                   w.role != entry.role && matches(other, w.word);
-                        });
-                    });
-                return door_and_window ? Role::Opening : entry.role;
-            }
-            const bool low = std::any_of(parts.begin(), parts.end(), [](const std::string& other) {
-                return other == "low" || other == "half" || other == "prht" || other == "parapet" ||
-                       other == "brustung" || other == "niedrig" || other == "bajo" || other == "bas";
-            });
-            return low ? Role::LowWall : Role::Wall;
-        }
-    return Role::Unknown;
+    const auto row = std::find_if(dxf::role_words().begin(), dxf::role_words().end(),
+                                  [&](const dxf::RoleWords& r) { return any_stands_for(r.words, parts); });
+    if (row == dxf::role_words().end()) return Role::Unknown;
+    const auto says = [&](Role role) {
+        return std::any_of(dxf::role_words().begin(), dxf::role_words().end(),
+                           [&](const dxf::RoleWords& r) { return r.role == role && any_stands_for(r.words, parts); });
+    };
+    if (row->role == Role::Ignored && any_stands_for(dxf::writing_words(), parts) &&
+        any_stands_for(dxf::place_words(), parts))
+        return Role::RoomName;
+    // One layer for doors and windows: the shapes tell them apart.
+    if (row->role == Role::Door && (says(Role::Window) || says(Role::Opening))) return Role::Opening;
+    if (row->role == Role::Window && says(Role::Opening)) return Role::Opening;
+    if (row->role == Role::Wall && any_stands_for(dxf::low_words(), parts)) return Role::LowWall;
+    return row->role;
 }
 
 Role Roles::of(const Drawing& drawing, const Shape& shape) const {
