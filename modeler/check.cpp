@@ -22,7 +22,8 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     const plans::Plan plan = building.plan_json.empty() ? plans::Plan{} : plans::read_json(building.plan_json, "");
     const MapFaces faces(building);
     const FaceRings rings(building.map, building.vertices);
-    const Subject subject{building, plan, options, faces, rings};
+    const SpaceIndex spaces(building, plan);
+    const Subject subject{building, plan, options, faces, rings, spaces};
     Blame blame{std::vector<bool>(building.volumes.size(), false), std::vector<bool>(building.faces.size(), false),
                 std::vector<bool>(building.vertices.size(), false), std::vector<bool>(building.spaces.size(), false)};
     check_topology(building, blame, report);
@@ -34,6 +35,14 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     check_partition(building, blame, report);
     check_directions(subject, blame, report);
     if (building.convex) check_convexity(building, blame, report);
+    check_tiling(subject, blame, report);
+    check_labels(subject, blame, report);
+    check_openings(subject, blame, report);
+    check_room_bounds(subject, blame, report);
+    check_stairs(subject, blame, report);
+    check_access(subject, blame, report);
+    check_objects(subject, blame, report);
+    check_nodes(subject, blame, report);
     check_portals(building, blame, report);
     report.findings.insert(report.findings.end(), building.findings.begin(), building.findings.end());
     return report;

@@ -9,6 +9,7 @@
 #include "modeler/check.h"
 #include "modeler/constraints/face_rings.h"
 #include "modeler/constraints/map_faces.h"
+#include "modeler/constraints/space_index.h"
 #include "plans/plan.h"
 
 namespace enfilade::modeler {
@@ -31,13 +32,16 @@ struct Subject {
     const CheckOptions& options;
     const MapFaces& faces;   ///< of the building's map
     const FaceRings& rings;  ///< of the building's map, with its vertices
+    const SpaceIndex& spaces;
 };
 
 /// T1-T7: closed, oriented quasi-manifold of balls; by `gmap::validate` and the defects of the map's builder.
 void check_topology(const Building& building, Blame& blame, CheckReport& report);
 
-/// T8: each floor of a storey lies on a slab's top, each ceiling under a slab's underside, and they tile it.
+/// T8: each floor of a storey lies on a slab's top, each ceiling under a slab's underside, and they tile it. That the
+/// areas on both sides are equal has a meaning where the geometry (G) has no fault: `check_tiling` comes after it.
 void check_storeys(const Subject& subject, Blame& blame, CheckReport& report);
+void check_tiling(const Subject& subject, Blame& blame, CheckReport& report);
 
 /// G1: no two vertices of the map at one point.
 void check_vertices(const Subject& subject, Blame& blame, CheckReport& report);

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "modeler/cell_node.h"
+
 namespace enfilade::modeler {
 namespace {
 
@@ -101,16 +103,21 @@ std::int64_t area2(const Building& building, const MapFace& face) {
 }
 
 std::array<double, 3> middle(const Building& building, const MapFace& face) {
-    std::array<double, 3> sum = {};
-    double count = 0;
-    walk(building, face, [&](const std::array<std::int32_t, 3>& v) {
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += v[i];
-        ++count;
-    });
+    std::vector<plans::GridPoint> ring;
+    walk(building, face, [&](const std::array<std::int32_t, 3>& v) { ring.push_back({v[0], v[1]}); });
     const plans::GridFrame& frame = building.frame;
-    if (count == 0) return {frame.origin_x, frame.origin_y, frame.origin_z};
-    return {frame.origin_x + frame.unit * sum[0] / count, frame.origin_y + frame.unit * sum[1] / count,
-            frame.origin_z + frame.unit * sum[2] / count};
+    if (ring.empty()) return {frame.origin_x, frame.origin_y, frame.origin_z};
+    std::array<double, 2> point = {};
+    if (face.level()) {
+        point = inner_point(ring);
+    } else if (face.upright()) {
+        point = {(double(face.feet[0].x) + face.feet[1].x) / 2, (double(face.feet[0].y) + face.feet[1].y) / 2};
+    } else {
+        for (const plans::GridPoint p : ring) point[0] += p.x, point[1] += p.y;
+        for (double& coordinate : point) coordinate /= double(ring.size());
+    }
+    return {frame.origin_x + frame.unit * point[0], frame.origin_y + frame.unit * point[1],
+            frame.origin_z + frame.unit * (double(face.z_low) + face.z_high) / 2};
 }
 
 }  // namespace enfilade::modeler

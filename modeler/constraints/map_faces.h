@@ -59,7 +59,7 @@ private:
 /// Twice the area within the ring of a level face, in square grid units, 0 or more, walked by its darts.
 [[nodiscard]] std::int64_t area2(const Building& building, const MapFace& face);
 
-/// The middle of the face's vertices, in world metres.
+/// A point on the face, away from its border, in world metres.
 [[nodiscard]] std::array<double, 3> middle(const Building& building, const MapFace& face);
 
 }  // namespace enfilade::modeler

@@ -19,11 +19,15 @@ void blame_face(const Building& building, std::uint32_t face, std::string senten
 
 void check_portals(const Building& building, Blame& blame, CheckReport& report) {
     report.codes_checked.emplace_back("D2");
+    if (blame.whole_map) {
+        ++report.suppressed;
+        return;
+    }
     const gmap::MapArrays& arrays = building.map.arrays();
     const OpeningFaces openings(building);
     std::vector<bool> in_map(building.faces.size(), false);
     const auto suppress = [&](std::uint32_t f, std::uint32_t a, std::uint32_t b) {
-        const bool known = blame.whole_map || blame.face[f] || blame.volume[a] || blame.volume[b];
+        const bool known = blame.face[f] || blame.volume[a] || blame.volume[b];
         report.suppressed += known;
         return known;
     };

@@ -5,6 +5,7 @@
 
 #include "modeler/constraints/constraints.h"
 #include "modeler/constraints/map_faces.h"
+#include "modeler/constraints/ring_crossings.h"
 #include "modeler/place.h"
 
 namespace enfilade::modeler {
@@ -27,14 +28,24 @@ bool stands_in_storey(Label label) {
 class StoreyCheck {
 public:
     StoreyCheck(const Subject& subject, Blame& blame, CheckReport& report)
-        : building_(subject.building), plan_(subject.plan), faces_(subject.faces), blame_(blame), report_(report) {}
+        : building_(subject.building),
+          plan_(subject.plan),
+          faces_(subject.faces),
+          rings_(subject.rings),
+          blame_(blame),
+          report_(report) {}
 
     void run() {
+        find_mixed_parents();
         check_elevations();
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v)
             if (is_judged(v)) check_extent(v);
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v)
             if (is_judged(v)) check_contacts(v);
+    }
+
+    void run_tiling() {
+        find_mixed_parents();
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v)
             if (is_judged(v) && label(v) == Label::Slab) check_tiling(v);
     }
@@ -42,10 +53,12 @@ public:
 private:
     [[nodiscard]] Label label(std::uint32_t v) const { return building_.volumes[v].label; }
 
-    /// Volumes with another label than their space are S1's, those of another shape than their row are the geometry's.
+    /// Volumes with another label than their space, or another space than the other pieces of theirs, are S1's; those
+    /// of another shape than their row are the geometry's.
     [[nodiscard]] bool is_judged(std::uint32_t v) const {
         const Volume& volume = building_.volumes[v];
-        return !blame_.volume[v] && faces_.is_prism(v) && volume.label == building_.spaces[volume.space].label;
+        return !blame_.volume[v] && faces_.is_prism(v) && !mixed_[volume.parent] &&
+               volume.label == building_.spaces[volume.space].label;
     }
 
     /// The storey in which a volume stands; nothing for slabs, the exterior, and storeys whose levels are blamed.
@@ -63,6 +76,16 @@ private:
     /// The part of a stair or shaft inside the slab over its storey.
     [[nodiscard]] bool is_well(std::uint32_t v, const StoreyInfo& info) const {
         return (label(v) == Label::Stair || label(v) == Label::Shaft) && building_.volumes[v].z_low == info.z_ceiling;
+    }
+
+    void find_mixed_parents() {
+        std::vector<std::uint32_t> first(building_.volumes.size(), UINT32_MAX);
+        mixed_.assign(building_.volumes.size(), false);
+        for (const Volume& volume : building_.volumes) {
+            std::uint32_t& known = first[volume.parent];
+            if (known == UINT32_MAX) known = volume.space;
+            else if (known != volume.space) mixed_[volume.parent] = true;
+        }
     }
 
     void check_elevations() {
@@ -113,10 +136,8 @@ private:
             const MapFace& face = faces_[f];
             const int side = face.level() ? faces_.side(face, v) : 0;
             const std::uint32_t other = face.beyond(v);
-            if (side == 0 || other == UINT32_MAX || !face.joins_two) continue;
-            if (is_slab ? label(other) != Label::Slab && label(other) != Label::Outside
-                        : may_touch(v, *info, other, side))
-                continue;
+            if (side == 0 || other == UINT32_MAX || !face.joins_two || label(other) == Label::Outside) continue;
+            if (is_slab ? label(other) != Label::Slab : may_touch(v, *info, other, side)) continue;
             if (blame_.volume[other] || stands_in_wrong_storey(other)) {
                 ++report_.suppressed;
                 continue;
@@ -164,13 +185,24 @@ private:
     }
 
     /// What lies on the slab and what lies under it cover the same area, to the last square unit.
+    /// Whether its level faces are bounded by simple rings: areas of others say nothing (G2).
+    [[nodiscard]] bool is_simple_level(std::uint32_t v) const {
+        std::vector<plans::GridPoint> flat;
+        for (const std::uint32_t f : rings_.faces_of(v)) {
+            if (rings_.lie(f) != Lie::Level) continue;
+            rings_.flatten(f, flat);
+            if (!ring_crossings(flat, 1).empty()) return false;
+        }
+        return true;
+    }
+
     void check_tiling(std::uint32_t v) {
         std::int64_t top = 0, underside = 0;
         for (const std::uint32_t f : faces_.of_volume(v)) {
             const MapFace& face = faces_[f];
             if (face.level()) (faces_.side(face, v) == above ? top : underside) += area2(building_, face);
         }
-        if (top == underside) return;
+        if (top == underside || !is_simple_level(v)) return;
         const double square_metres = 0.5 * building_.frame.unit * building_.frame.unit * double(top - underside);
         char difference[32];
         std::snprintf(difference, sizeof difference, "%.3g", std::abs(square_metres));
@@ -196,8 +228,10 @@ private:
     const Building& building_;
     const plans::Plan& plan_;
     const MapFaces& faces_;
+    const FaceRings& rings_;
     Blame& blame_;
     CheckReport& report_;
+    std::vector<bool> mixed_;  ///< [parent] its pieces name several spaces
     std::vector<bool> wrong_;  ///< [storey] its levels are not the plan's
 };
 
@@ -207,6 +241,13 @@ void check_storeys(const Subject& subject, Blame& blame, CheckReport& report) {
     report.codes_checked.emplace_back("T8");
     if (blame.whole_map) ++report.suppressed;
     else StoreyCheck(subject, blame, report).run();
+}
+
+void check_tiling(const Subject& subject, Blame& blame, CheckReport& report) {
+    const bool is_doubtful =
+        blame.any() || std::find(blame.vertex.begin(), blame.vertex.end(), true) != blame.vertex.end();
+    if (is_doubtful) ++report.suppressed;
+    else StoreyCheck(subject, blame, report).run_tiling();
 }
 
 }  // namespace enfilade::modeler

@@ -62,8 +62,10 @@ TEST_F(Defects, FindingsNameTheElementAndItsPlace) {
     EXPECT_EQ(outcome.exit_code, 1);
     const json report = json::parse(outcome.out);
     EXPECT_EQ(report["sound"], false);
-    ASSERT_EQ(report["findings"].size(), 1u);
-    const json& finding = report["findings"][0];
+    json finding;
+    for (const json& one : report["findings"])  // without its door the room has no way out, which is a warning
+        if (one["severity"] == "error") finding = one;
+    ASSERT_FALSE(finding.is_null());
     const json plan = json::parse(read_bytes(folder() / "place.json"));
     EXPECT_EQ(finding["elements"][0]["id"], plan["storeys"][0]["openings"][0]["id"]);
     EXPECT_EQ(finding["point"].size(), 3u);

@@ -14,11 +14,12 @@
 namespace enfilade::modeler {
 namespace {
 
-/// Errors of the model itself: those of the plan's stages (P...) are about the plan.
+/// Errors of the model itself: those of the plan's stages (P...) are about the plan, and so are stairs that it draws
+/// where nothing is above them (S4).
 std::string model_errors(const CheckReport& report) {
     std::string text;
     for (const Finding& finding : report.findings)
-        if (finding.severity == Severity::Error && finding.code[0] != 'P')
+        if (finding.severity == Severity::Error && finding.code[0] != 'P' && finding.code != "S4")
             text += finding.code + ": " + finding.sentence + "\n";
     return text;
 }

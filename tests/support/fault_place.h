@@ -1,9 +1,11 @@
 #pragma once
 // Picking a place for a fault, and saying where it was.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "modeler/building.h"
@@ -29,22 +31,29 @@ inline double site_diagonal(const modeler::Building& building) {
     return std::sqrt(sum);
 }
 
+/// The box around a piece, in grid units.
+inline std::pair<plans::GridPoint, plans::GridPoint> box_of(const modeler::Building& building, std::uint32_t piece) {
+    const modeler::Piece& row = building.pieces[piece];
+    plans::GridPoint low{INT32_MAX, INT32_MAX}, high{INT32_MIN, INT32_MIN};
+    for (std::uint32_t k = 0; k < row.corner_count; ++k) {
+        const plans::GridPoint p = building.points[building.corners[row.first_corner + k].vertex];
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return {low, high};
+}
+
 /// A fault of a whole volume: anywhere inside its box will do.
 inline InjectedFault fault_at(const modeler::Building& building, std::string code, std::uint32_t volume) {
     const modeler::Volume& row = building.volumes[volume];
-    const modeler::Piece& piece = building.pieces[row.piece];
-    double low[3] = {HUGE_VAL, HUGE_VAL, double(row.z_low)}, high[3] = {-HUGE_VAL, -HUGE_VAL, double(row.z_high)};
-    for (std::uint32_t k = 0; k < piece.corner_count; ++k) {
-        const plans::GridPoint p = building.points[building.corners[piece.first_corner + k].vertex];
-        low[0] = std::min(low[0], double(p.x)), high[0] = std::max(high[0], double(p.x));
-        low[1] = std::min(low[1], double(p.y)), high[1] = std::max(high[1], double(p.y));
-    }
+    const auto [low, high] = box_of(building, row.piece);
     const double unit = building.frame.unit;
     InjectedFault fault{.code = std::move(code)};
-    fault.point = {building.frame.origin_x + unit * (low[0] + high[0]) / 2,
-                   building.frame.origin_y + unit * (low[1] + high[1]) / 2,
-                   building.frame.origin_z + unit * (low[2] + high[2]) / 2};
-    fault.reach = unit * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2 + 0.001;
+    fault.point = {building.frame.origin_x + unit * (double(low.x) + high.x) / 2,
+                   building.frame.origin_y + unit * (double(low.y) + high.y) / 2,
+                   building.frame.origin_z + unit * (double(row.z_low) + row.z_high) / 2};
+    fault.reach =
+        unit * std::hypot(double(high.x) - low.x, double(high.y) - low.y, double(row.z_high) - row.z_low) / 2 + 0.001;
     return fault;
 }
 

@@ -12,16 +12,18 @@
 namespace enfilade::testing {
 
 struct FaultVerdict {
-    std::size_t found = 0;           ///< findings with the fault's code
-    std::vector<std::string> other;  ///< "S3: sentence" of errors and warnings with another code
-    std::size_t out_of_place = 0;    ///< found, but too far away or without a point
-    std::size_t unnamed = 0;         ///< found, but without an element that the fault names
+    std::size_t found = 0;               ///< findings with the fault's code
+    std::vector<std::string> other;      ///< "S3: sentence" of errors and warnings with another code
+    std::vector<std::string> sentences;  ///< of what was found
+    std::size_t out_of_place = 0;        ///< found, but too far away or without a point
+    std::size_t unnamed = 0;             ///< found, but naming none of the fault's elements
 
     [[nodiscard]] bool exact() const { return found >= 1 && other.empty() && out_of_place == 0 && unnamed == 0; }
     [[nodiscard]] std::string text() const {
         std::string text = "found " + std::to_string(found) + ", out of place " + std::to_string(out_of_place) +
                            ", unnamed " + std::to_string(unnamed);
-        for (const std::string& sentence : other) text += "\n  " + sentence;
+        for (const std::string& sentence : sentences) text += "\n  " + sentence;
+        for (const std::string& sentence : other) text += "\n  and " + sentence;
         return text;
     }
 };
@@ -52,15 +54,18 @@ inline FaultVerdict judge(const modeler::CheckReport& before, const modeler::Che
             continue;
         }
         ++verdict.found;
+        verdict.sentences.push_back(finding.code + ": " + finding.sentence);
         const auto distance = [&](const std::array<double, 3>& p) {
             return std::hypot(p[0] - fault.point[0], p[1] - fault.point[1], p[2] - fault.point[2]);
         };
         if (!finding.point || !(distance(*finding.point) <= fault.reach)) ++verdict.out_of_place;
-        for (const ElementRef& wanted : fault.elements)
-            if (std::none_of(finding.elements.begin(), finding.elements.end(), [&](const ElementRef& e) {
-                    return e.id == wanted.id && (wanted.kind.empty() || e.kind == wanted.kind);
-                }))
-                ++verdict.unnamed;
+        const auto is_named = [&](const ElementRef& wanted) {
+            return std::any_of(finding.elements.begin(), finding.elements.end(), [&](const ElementRef& element) {
+                return element.id == wanted.id && (wanted.kind.empty() || element.kind == wanted.kind);
+            });
+        };
+        if (!fault.elements.empty() && std::none_of(fault.elements.begin(), fault.elements.end(), is_named))
+            ++verdict.unnamed;
     }
     return verdict;
 }

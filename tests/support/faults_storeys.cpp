@@ -32,8 +32,9 @@ std::optional<InjectedFault> inject_t8(Building& building, plans::Random& random
     const Label label = std::array{Label::Wall, Label::Ground, Label::Exterior}[random.below(3)];
     const auto as = pick(building, random, [&](std::uint32_t v) { return building.volumes[v].label == label; });
     if (!as) return std::nullopt;
-    building.volumes[*slab].label = label;
-    building.volumes[*slab].space = building.volumes[*as].space;
+    const std::uint32_t parent = building.volumes[*slab].parent, space = building.volumes[*as].space;
+    for (modeler::Volume& piece : building.volumes)
+        if (piece.parent == parent) piece.label = label, piece.space = space;
     return fault;
 }
 

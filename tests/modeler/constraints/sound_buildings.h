@@ -36,6 +36,14 @@ inline modeler::Building random_building(plans::Random& random) {
     return random.chance(0.5) ? modeler::convexify(building) : building;
 }
 
+/// Every finding, a line each.
+inline std::string all_of(const modeler::CheckReport& report) {
+    std::string text;
+    for (const Finding& finding : report.findings)
+        text += std::string(name_of(finding.severity)) + " " + finding.code + ": " + finding.sentence + "\n";
+    return text;
+}
+
 /// Puts the fault into the small plans and into `count` random offices, whole and cut into convex cells: `check` has to
 /// find it once, at its place, and nothing else.
 inline void expect_found(const Injector& inject, std::uint32_t count) {
@@ -46,7 +54,9 @@ inline void expect_found(const Injector& inject, std::uint32_t count) {
         if (!fault) return;
         ++injected;
         const FaultVerdict verdict = judge(before, modeler::check(building), *fault);
-        EXPECT_TRUE(verdict.exact() && verdict.found == 1) << name << ": " << verdict.text();
+        EXPECT_TRUE(verdict.exact() && verdict.found == 1)
+            << name << ": " << verdict.text()
+            << (fault->elements.empty() ? "" : "\n  wanted: " + fault->elements[0].id);
     };
     for (const plans::Plan& plan : {two_rooms(), ring_room(), two_storeys()})
         for (std::uint64_t seed = 0; seed < 4; ++seed) {
