@@ -33,6 +33,7 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     check_planarity(subject, blame, report);
     check_shells(subject, blame, report);
     check_partition(building, blame, report);
+    check_thickness(subject, blame, report);
     check_directions(subject, blame, report);
     if (building.convex) check_convexity(building, blame, report);
     check_tiling(subject, blame, report);

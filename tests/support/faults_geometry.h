@@ -22,7 +22,13 @@ std::optional<InjectedFault> inject_g3(modeler::Building& building, plans::Rando
 /// A face of a volume becomes a spike through an opposite one.
 std::optional<InjectedFault> inject_g4(modeler::Building& building, plans::Random& random);
 
+/// The building is built again with a wall or slab of a few millimetres. (A warning.)
+std::optional<InjectedFault> inject_g6(modeler::Building& building, plans::Random& random);
+
 /// An edge of a face is moved so that the face tilts and all faces stay flat.
 std::optional<InjectedFault> inject_g7(modeler::Building& building, plans::Random& random);
+
+/// Moves all that lies at `from` or above by `by` units, in the map, the tables and the plan alike.
+void shift_levels(modeler::Building& building, std::int32_t from, std::int32_t by);
 
 }  // namespace enfilade::testing
