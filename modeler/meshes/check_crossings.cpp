@@ -87,36 +87,46 @@ void report_cluster(const std::vector<Crossing>& crossings, const std::vector<st
     report.add(std::move(finding), "places where a surface goes through itself");
 }
 
+/// Faces that share a side with one that has no triangles: they meet across it without being at fault.
+std::vector<bool> beside_missing(const MeshTriangles& triangles, const Mesh& mesh) {
+    std::vector<bool> corner(mesh.points.size(), false), result(mesh.face_count(), false);
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+        if (triangles.missing[f])
+            for (const std::uint32_t v : mesh.face(f)) corner[v] = true;
+    for (const MeshHole& hole : mesh.holes)
+        if (triangles.missing[hole.face])
+            for (const std::uint32_t v : mesh.hole(hole)) corner[v] = true;
+    for (std::size_t t = 0; t < triangles.face.size(); ++t) {
+        int at = 0;
+        for (const std::uint32_t v : triangles.corners[t]) at += corner[v] ? 1 : 0;
+        if (at >= 2) result[triangles.face[t]] = true;
+    }
+    return result;
+}
+
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> check_crossings(const MeshTriangles& triangles,
-                                                                     const MeshPieces& pieces,
-                                                                     const std::vector<std::uint32_t>& place,
-                                                                     MeshReport& report, MeshCount& count) {
+void check_crossings(const Crossings& crossings, const MeshTriangles& triangles, const MeshPieces& pieces,
+                     const std::vector<std::uint32_t>& place, MeshReport& report, MeshCount& count) {
     report.applied({"G4"});
-    bool complete = true;
-    const std::vector<Crossing> all = find_crossings(report.mesh(), triangles, pieces, place, complete);
-    count.crossing_pairs = all.size();
+    count.crossing_pairs = crossings.within.size();
+    const std::vector<bool> beside = beside_missing(triangles, report.mesh());
     std::vector<Crossing> own;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> between;
-    for (const Crossing& crossing : all) {
+    for (const Crossing& crossing : crossings.within) {
         const std::uint32_t f = triangles.face[crossing.a], g = triangles.face[crossing.b];
-        const std::uint32_t p = pieces.piece[f], q = pieces.piece[g];
-        if (p != q) between.emplace_back(std::min(p, q), std::max(p, q));
-        else if (report.blame.face[f] || report.blame.face[g] || (report.blame.crowded[f] && report.blame.crowded[g]))
-            report.suppress();
+        const bool known = report.blame.face[f] || report.blame.face[g] ||
+                           (report.blame.crowded[f] && report.blame.crowded[g]) ||
+                           (beside[f] && beside[g] && !crossing.pierces);
+        // A closed surface with one side has to go through itself in space: T3 says it all.
+        if (known || pieces.pieces[pieces.piece[f]].one_sided) report.suppress();
         else own.push_back(crossing);
     }
     for (const auto& cluster : Clusters(own, triangles, place).all()) report_cluster(own, cluster, triangles, report);
-    if (!complete) {
-        Finding finding{.code = "G4", .severity = Severity::Warning};
-        finding.sentence = "The search for crossings was ended: there are far too many.";
-        finding.hint = "Mend those that are listed, then check again.";
-        report.add(std::move(finding), "ended searches");
-    }
-    std::sort(between.begin(), between.end());
-    between.erase(std::unique(between.begin(), between.end()), between.end());
-    return between;
+    if (crossings.complete) return;
+    Finding finding{.code = "G4", .severity = Severity::Warning};
+    finding.sentence = "The search for crossings was ended: there are far too many.";
+    finding.hint = "Mend those that are listed, then check again.";
+    report.add(std::move(finding), "ended searches");
 }
 
 }  // namespace enfilade::modeler

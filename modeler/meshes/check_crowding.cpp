@@ -101,7 +101,7 @@ std::vector<std::vector<std::uint32_t>> chains(const MeshMap& map, const Crowded
 void report_chain(const MeshMap& map, const CrowdedEdges& crowded, const std::vector<std::uint32_t>& chain,
                   MeshReport& report) {
     const std::uint32_t r = map.entries[crowded.edges[chain.front()]][0];
-    const std::uint32_t v = map.vertex[map.tuples.ring[r]], w = map.vertex[map.tuples.ring[map.next(r)]];
+    const auto [v, w] = std::minmax({map.vertex[map.tuples.ring[r]], map.vertex[map.tuples.ring[map.next(r)]]});
     const auto& faces = crowded.faces[chain.front()];
     Finding finding{.code = "T4", .severity = Severity::Error};
     const std::string edge = "The edge between vertices " + report.vertex(v) + " and " + report.vertex(w) + " has " +

@@ -34,8 +34,9 @@ public:
         const double near = report_.options().coincident;
         check_places(near > 0 ? vertex_places(mesh_, near) : place, pieces_.piece, report_, count_);
         const MeshTriangles triangles = check_faces(place, report_, count_);
-        const auto pierced = check_crossings(triangles, pieces_, place, report_, count_);
-        check_solids(triangles, pieces_, place, pierced, report_);
+        const Crossings crossings = find_crossings(mesh_, triangles, pieces_, place);
+        check_crossings(crossings, triangles, pieces_, place, report_, count_);
+        check_solids(triangles, pieces_, place, crossings, report_);
         report_.finish();
     }
 

@@ -18,11 +18,11 @@ enum class Lie : std::uint8_t { Apart, Inside, Same, Unknown };
 class SolidChecker {
 public:
     SolidChecker(const MeshTriangles& triangles, const MeshPieces& pieces, const std::vector<std::uint32_t>& place,
-                 const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, MeshReport& report)
+                 const Crossings& crossings, MeshReport& report)
         : triangles_(triangles),
           pieces_(pieces),
           place_(place),
-          crossing_(crossing),
+          crossings_(crossings),
           report_(report),
           shapes_(report.mesh(), triangles, pieces),
           blamed_(pieces.pieces.size(), false),
@@ -32,7 +32,7 @@ public:
         blame_known();
         for (std::uint32_t p = 0; p < blamed_.size(); ++p) check_turned(p);
         for (std::uint32_t p = 0; p < blamed_.size(); ++p) check_volume(p);
-        for (const auto& [p, q] : crossing_) report_pierced(p, q);
+        for (const auto& [p, q] : crossings_.piercing) report_pierced(p, q);
         check_nesting();
         for (std::uint32_t p = 0; p < blamed_.size(); ++p) check_inside_out(p);
         if (budget_spent_) report_budget();
@@ -122,7 +122,8 @@ private:
     }
 
     [[nodiscard]] bool cross(std::uint32_t p, std::uint32_t q) const {
-        return std::binary_search(crossing_.begin(), crossing_.end(), std::pair(std::min(p, q), std::max(p, q)));
+        return std::binary_search(crossings_.piercing.begin(), crossings_.piercing.end(),
+                                  std::pair(std::min(p, q), std::max(p, q)));
     }
 
     [[nodiscard]] bool box_within(std::uint32_t p, std::uint32_t q) const {
@@ -182,7 +183,38 @@ private:
         inside_of_.assign(blamed_.size(), nothing);
         for (const auto& [inner, outer] : pairs)
             if (!cross(inner, outer)) judge_pair(inner, outer);
+        for (const auto& [p, q] : crossings_.near)
+            if (!blamed_[p] && !blamed_[q] && !cross(p, q) && !box_within(p, q) && !box_within(q, p) &&
+                (has_point_in(p, q) || has_point_in(q, p)))
+                report_pierced(p, q);
         check_voids();
+    }
+
+    /// A corner of p, or the middle of one of its triangles, inside q: how one sees an overlap where sides meet sides
+    /// and none goes through the inside of a triangle.
+    [[nodiscard]] bool has_point_in(std::uint32_t p, std::uint32_t q) {
+        const auto& points = report_.mesh().points;
+        for (const std::uint32_t v : places(p))
+            if (is_in(points[v], q)) return true;
+        for (const std::uint32_t t : shapes_.triangles_of(p)) {
+            std::array<double, 3> middle{};
+            for (const std::uint32_t v : triangles_.corners[t])
+                for (std::size_t i = 0; i < 3; ++i) middle[i] += points[v][i] / 3;
+            if (is_in(middle, q)) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool is_in(const std::array<double, 3>& point, std::uint32_t q) {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (point[i] <= shapes_[q].low[i] || point[i] >= shapes_[q].high[i]) return false;
+        const std::uint64_t cost = shapes_.triangles_of(q).size();
+        if (spent_ + cost > nesting_budget) {
+            budget_spent_ = true;
+            return false;
+        }
+        spent_ += cost;
+        return std::abs(shapes_.winding(q, point)) > 0.99;
     }
 
     [[nodiscard]] bool same_solid(std::uint32_t p, std::uint32_t q) const {
@@ -264,7 +296,7 @@ private:
     const MeshTriangles& triangles_;
     const MeshPieces& pieces_;
     const std::vector<std::uint32_t>& place_;
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing_;
+    const Crossings& crossings_;
     MeshReport& report_;
     PieceShapes shapes_;
     std::vector<bool> blamed_;   ///< [piece]
@@ -277,9 +309,9 @@ private:
 }  // namespace
 
 void check_solids(const MeshTriangles& triangles, const MeshPieces& pieces, const std::vector<std::uint32_t>& place,
-                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, MeshReport& report) {
+                  const Crossings& crossings, MeshReport& report) {
     report.applied({"G5"});
-    SolidChecker(triangles, pieces, place, crossing, report).run();
+    SolidChecker(triangles, pieces, place, crossings, report).run();
 }
 
 }  // namespace enfilade::modeler

@@ -66,6 +66,28 @@ void report_repeat(std::uint32_t f, std::span<const std::uint32_t> ring, std::ui
     report.add(std::move(finding), "faces that name a vertex more than once");
 }
 
+/// Rings of a face that share more than one vertex with the others cut it into parts.
+void inspect_rings(std::uint32_t f, MeshReport& report) {
+    const Mesh& mesh = report.mesh();
+    Ring all(mesh.face(f).begin(), mesh.face(f).end());
+    for (const MeshHole& hole : mesh.holes_of(f)) {
+        Ring shared;
+        for (const std::uint32_t v : mesh.hole(hole))
+            if (std::find(all.begin(), all.end(), v) != all.end()) shared.push_back(v);
+        all.insert(all.end(), mesh.hole(hole).begin(), mesh.hole(hole).end());
+        if (shared.size() < 2) continue;
+        report.blame.face[f] = true;
+        for (const std::uint32_t v : all) report.blame.vertex[v] = true;
+        Finding finding{.code = "G2", .severity = Severity::Error};
+        finding.sentence = "A hole of face " + report.face(f) + " shares vertices " + report.vertices(shared) +
+                           " with its other rings, which leaves several parts of the face.";
+        finding.hint = "Draw each part as a face of its own.";
+        report.put_at(finding, mesh.points[shared[0]]);
+        report.name_face(finding, f);
+        return report.add(std::move(finding), "faces that are no discs");
+    }
+}
+
 }  // namespace
 
 CleanRings::CleanRings(const MeshBody& body, MeshReport& report)
@@ -82,8 +104,9 @@ CleanRings::CleanRings(const MeshBody& body, MeshReport& report)
     };
     for (std::uint32_t f = body.first_face; f < body.first_face + body.face_count; ++f) {
         inspect(f, mesh_.face(f), "");
-        if (!mesh_.holes.empty())
-            for (const MeshHole& hole : mesh_.holes_of(f)) inspect(f, mesh_.hole(hole), "a hole of ");
+        if (mesh_.holes.empty() || mesh_.holes_of(f).empty()) continue;
+        for (const MeshHole& hole : mesh_.holes_of(f)) inspect(f, mesh_.hole(hole), "a hole of ");
+        if (!report.blame.face[f]) inspect_rings(f, report);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
-#include <cmath>
+#include <unordered_map>
 
 #include "modeler/meshes/mesh_solids.h"
 
@@ -35,12 +35,22 @@ public:
             box += point(t, 2).bbox();
             boxes.emplace_back(box, t);
         }
+        piercing_.clear();
         budget_ = 1000 * std::uint64_t(boxes.size()) + 10'000'000;
         CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
                                       [&](const Box& a, const Box& b) { judge(a.info(), b.info()); });
+        keep_pairs();
     }
 
-    std::vector<Crossing> found;
+    void keep_pairs() {
+        for (const auto& [pair, pierced] : piercing_) {
+            const std::pair<std::uint32_t, std::uint32_t> pieces(std::uint32_t(pair >> 32), std::uint32_t(pair));
+            found.near.push_back(pieces);
+            if (pierced) found.piercing.push_back(pieces);
+        }
+    }
+
+    Crossings found;
 
 private:
     [[nodiscard]] Point point(std::uint32_t t, std::size_t k) const {
@@ -53,10 +63,17 @@ private:
         if (a > b) std::swap(a, b);
         const std::uint32_t f = triangles_.face[a], g = triangles_.face[b];
         if (f == g) return;
-        const bool crosses = pieces_.piece[f] == pieces_.piece[g] ? meets(a, b) : pierces(a, b) || pierces(b, a);
-        if (!crosses) return;
-        found.push_back({a, b});
-        if (found.size() >= 1'000'000) throw TooMany();
+        const std::uint32_t p = pieces_.piece[f], q = pieces_.piece[g];
+        if (p != q) return judge_pieces(a, b, std::min(p, q), std::max(p, q));
+        if (!meets(a, b)) return;
+        found.within.push_back({a, b, pierces(a, b) || pierces(b, a)});
+        if (found.within.size() >= 1'000'000) throw TooMany();
+    }
+
+    /// One pair of triangles is enough for a pair of pieces.
+    void judge_pieces(std::uint32_t a, std::uint32_t b, std::uint32_t p, std::uint32_t q) {
+        bool& known = piercing_[std::uint64_t(p) << 32 | q];
+        known = known || pierces(a, b) || pierces(b, a);
     }
 
     /// Triangles of one surface: anything in common beyond shared corners and sides.
@@ -111,14 +128,14 @@ private:
     const MeshPieces& pieces_;
     const std::vector<std::uint32_t>& place_;
     std::uint64_t budget_ = 0;
+    std::unordered_map<std::uint64_t, bool> piercing_;  ///< [pair of pieces that come near each other]
 };
 
 }  // namespace
 
-std::vector<Crossing> find_crossings(const Mesh& mesh, const MeshTriangles& triangles, const MeshPieces& pieces,
-                                     const std::vector<std::uint32_t>& place, bool& complete) {
+Crossings find_crossings(const Mesh& mesh, const MeshTriangles& triangles, const MeshPieces& pieces,
+                         const std::vector<std::uint32_t>& place) {
     CrossingFinder finder(mesh, triangles, pieces, place);
-    complete = true;
     const auto group_of = [&](std::uint32_t t) { return pieces.pieces[pieces.piece[triangles.face[t]]].group; };
     const auto count = static_cast<std::uint32_t>(triangles.face.size());
     for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
@@ -126,12 +143,16 @@ std::vector<Crossing> find_crossings(const Mesh& mesh, const MeshTriangles& tria
         try {
             finder.search(begin, end);
         } catch (const TooMany&) {
-            complete = false;
+            finder.keep_pairs();
+            finder.found.complete = false;
         }
     }
-    std::sort(finder.found.begin(), finder.found.end(),
+    Crossings found = std::move(finder.found);
+    std::sort(found.within.begin(), found.within.end(),
               [](const Crossing& x, const Crossing& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
-    return std::move(finder.found);
+    std::sort(found.piercing.begin(), found.piercing.end());
+    std::sort(found.near.begin(), found.near.end());
+    return found;
 }
 
 }  // namespace enfilade::modeler

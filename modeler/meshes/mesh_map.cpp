@@ -37,7 +37,7 @@ public:
             const Point a = area_vector(mesh_, outer), b = area_vector(mesh_, hole);
             if (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0) std::reverse(hole.begin(), hole.end());
             for (std::uint32_t& v : hole) v = vertex(v);
-            ring = cut(face, ring, hole);
+            ring = touches(ring, hole) ? joined(ring, std::move(hole)) : cut(face, ring, hole);
         }
         push(face, ring);
     }
@@ -55,6 +55,18 @@ private:
         out_.tuples.ring.insert(out_.tuples.ring.end(), ring.begin(), ring.end());
         out_.tuples.ring_first.push_back(static_cast<std::uint32_t>(out_.tuples.ring.size()));
         out_.face.push_back(face);
+    }
+
+    [[nodiscard]] static bool touches(const Ring& ring, const Ring& hole) {
+        return std::find_first_of(ring.begin(), ring.end(), hole.begin(), hole.end()) != ring.end();
+    }
+
+    /// A hole that shares a vertex with the ring: one ring that goes around it there.
+    [[nodiscard]] static Ring joined(Ring ring, Ring hole) {
+        const auto at = std::find_first_of(ring.begin(), ring.end(), hole.begin(), hole.end());
+        std::rotate(hole.begin(), std::find(hole.begin(), hole.end(), *at) + 1, hole.end());
+        ring.insert(at + 1, hole.begin(), hole.end());
+        return ring;
     }
 
     /// Adds the disc between corners 0 ... 1 of the ring and the hole; returns the rest, which goes round the other

@@ -25,26 +25,33 @@ struct MeshPieces {
     std::vector<bool> turned;          ///< [face] its ring runs against that of its patch's first face
 };
 
-/// Two triangles that meet where they should not; of different pieces: that pierce each other.
+/// Two triangles of a piece that meet where they should not.
 struct Crossing {
     std::uint32_t a = 0, b = 0;  ///< triangles, a < b
+    bool pierces = false;        ///< a side of one goes through the inside of the other
 };
 
-/// Pairs of triangles of one group that cross, ascending; `place` says which vertices are one point. Within a piece any
-/// common point beyond shared corners and sides counts, between pieces one has to go through the other. Exact. Ends
-/// early, with `complete` false, where there are far too many.
-[[nodiscard]] std::vector<Crossing> find_crossings(const Mesh& mesh, const MeshTriangles& triangles,
-                                                   const MeshPieces& pieces, const std::vector<std::uint32_t>& place,
-                                                   bool& complete);
+using PiecePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// G4: surfaces that pierce themselves. Returns the pairs of pieces that pierce each other, ascending.
-[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> check_crossings(
-    const MeshTriangles& triangles, const MeshPieces& pieces, const std::vector<std::uint32_t>& place,
-    MeshReport& report, MeshCount& count);
+/// What the search for crossings found; everything ascending.
+struct Crossings {
+    std::vector<Crossing> within;  ///< a piece: any common point beyond shared corners and sides
+    PiecePairs piercing;           ///< pieces of a group of which one goes through the other
+    PiecePairs near;               ///< pieces of a group whose triangles come near each other
+    bool complete = true;          ///< false: the search ended early, there are far too many
+};
+
+/// `place` says which vertices are one point. Exact.
+[[nodiscard]] Crossings find_crossings(const Mesh& mesh, const MeshTriangles& triangles, const MeshPieces& pieces,
+                                       const std::vector<std::uint32_t>& place);
+
+/// G4: surfaces that go through themselves.
+void check_crossings(const Crossings& crossings, const MeshTriangles& triangles, const MeshPieces& pieces,
+                     const std::vector<std::uint32_t>& place, MeshReport& report, MeshCount& count);
 
 /// T3: faces that are turned against the others of their surface. G5: volumes are positive, voids lie in their solid,
 /// solids do not overlap.
 void check_solids(const MeshTriangles& triangles, const MeshPieces& pieces, const std::vector<std::uint32_t>& place,
-                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, MeshReport& report);
+                  const Crossings& crossings, MeshReport& report);
 
 }  // namespace enfilade::modeler

@@ -10,10 +10,9 @@
 
 #include "base/error.h"
 #include "modeler/meshes/mesh.h"
+#include "tests/modeler/meshes/polyhedra.h"
 
 namespace enfilade::modeler::test {
-
-using Ring = std::vector<std::uint32_t>;
 
 inline std::vector<Ring> rings(const Mesh& mesh) {
     std::vector<Ring> result;

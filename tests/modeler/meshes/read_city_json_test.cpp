@@ -168,8 +168,8 @@ TEST(ReadCityJson, RefusesJsonThatIsNotWellFormed) {
         EXPECT_TRUE(error.code == "P808" || error.code == "P809") << size << " " << error.code << " " << error.what();
         EXPECT_GT(error.line, 0) << size;
     }
-    expect_refused(R"({"type":"CityJSON","version":"2.0","vertices":[],"CityObjects":{"a":{} "b":{}}})", "a.json", "P808",
-                   1, "',' or '}'");
+    expect_refused(R"({"type":"CityJSON","version":"2.0","vertices":[],"CityObjects":{"a":{} "b":{}}})", "a.json",
+                   "P808", 1, "',' or '}'");
     expect_refused("{\"type\":\"City\xFFJSON\"}", "a.json", "P808", 1, "UTF-8");
     expect_refused(R"({"a":"\q","type":"\q"})", "a.json", "P808", 1, "escape");
     expect_refused(R"({"type":"\ud800"})", "a.json", "P808", 1, "surrogate");
