@@ -1,42 +1,23 @@
 #include "plans/dxf/wall_bodies.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "plans/dxf/curved_bodies.h"
+#include "plans/dxf/intervals.h"
 #include "plans/vector2.h"
 
 namespace enfilade::plans {
 namespace {
 
+using dxf::Interval;
+using dxf::Intervals;
+using dxf::without;
+
 constexpr double pi = std::numbers::pi;
 constexpr double same_direction = 0.4 * pi / 180;
 constexpr double bin = 0.005;  ///< metres of wall thickness
-
-struct Interval {
-    double low;
-    double high;
-};
-using Intervals = std::vector<Interval>;
-
-/// `from` without `taken`.
-Intervals without(Interval from, const Intervals& taken) {
-    Intervals rest = {from};
-    for (const Interval& t : taken) {
-        Intervals next;
-        for (const Interval& r : rest) {
-            if (t.high <= r.low || t.low >= r.high) {
-                next.push_back(r);
-                continue;
-            }
-            if (t.low > r.low) next.push_back({r.low, t.low});
-            if (t.high < r.high) next.push_back({t.high, r.high});
-        }
-        rest = std::move(next);
-    }
-    return rest;
-}
 
 struct Segment2 {
     Point a;
@@ -53,10 +34,7 @@ std::vector<Segment2> straight_strokes(const std::vector<SheetStroke>& strokes) 
         double angle = std::atan2(d.y, d.x);
         if (angle < 0) angle += pi;
         if (angle >= pi - 1e-9) angle -= pi;
-        std::optional<double> height;
-        if (s.rule && s.rule->height) height = s.rule->height;
-        else if (s.role == Role::LowWall) height = 1.0;
-        segments.push_back({s.stroke.a, s.stroke.b, angle, height});
+        segments.push_back({s.stroke.a, s.stroke.b, angle, wall_height(s)});
     }
     std::sort(segments.begin(), segments.end(), [](const Segment2& l, const Segment2& r) {
         return std::tie(l.angle, l.a.x, l.a.y, l.b.x, l.b.y) < std::tie(r.angle, r.a.x, r.a.y, r.b.x, r.b.y);
@@ -192,69 +170,19 @@ void pair_straight(WallBodies& bodies, const PairLimits& limits) {
         }
 }
 
-double normalised(double angle) {
-    angle = std::fmod(angle, 2 * pi);
-    return angle < 0 ? angle + 2 * pi : angle;
-}
-
-/// The common stretch of two arcs about one centre, as (start, sweep), sweep > 0; nothing where there is none.
-std::optional<std::array<double, 2>> common_sweep(const CircleArc& a, const CircleArc& b) {
-    const auto start = [](const CircleArc& arc) { return arc.sweep > 0 ? arc.start : arc.start + arc.sweep; };
-    const double sweep_a = std::abs(a.sweep), sweep_b = std::abs(b.sweep);
-    const double offset = normalised(start(b) - start(a));
-    double low = 0, high = 0;
-    if (offset < sweep_a) low = offset, high = std::min(sweep_a, offset + sweep_b);
-    else if (offset + sweep_b > 2 * pi) low = 0, high = std::min(sweep_a, offset + sweep_b - 2 * pi);
-    if (high - low < 1e-3) return std::nullopt;
-    return std::array<double, 2>{start(a) + low, high - low};
-}
-
-void pair_curved(const std::vector<SheetStroke>& strokes, WallBodies& bodies, const PairLimits& limits) {
-    struct Curve {
-        CircleArc arc;
-        std::optional<double> height;
-        bool used = false;
-    };
-    std::vector<Curve> curves;
-    for (const SheetStroke& s : strokes) {
-        if (s.stroke.bulge == 0 || distance(s.stroke.a, s.stroke.b) < 1e-6) continue;
-        std::optional<double> height;
-        if (s.rule && s.rule->height) height = s.rule->height;
-        else if (s.role == Role::LowWall) height = 1.0;
-        curves.push_back({circle_arc(s.stroke), height});
-        bodies.total_length += curves.back().arc.radius * std::abs(curves.back().arc.sweep);
-    }
-    std::stable_sort(curves.begin(), curves.end(),
-                     [](const Curve& l, const Curve& r) { return l.arc.centre.x < r.arc.centre.x; });
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        std::size_t best = curves.size();
-        double best_thickness = limits.most;
-        for (std::size_t j = i + 1; j < curves.size() && curves[j].arc.centre.x - curves[i].arc.centre.x < 0.02; ++j) {
-            const double t = std::abs(curves[j].arc.radius - curves[i].arc.radius);
-            if (curves[i].used || curves[j].used || t < limits.least || t > best_thickness ||
-                distance(curves[i].arc.centre, curves[j].arc.centre) > 0.02 ||
-                !common_sweep(curves[i].arc, curves[j].arc))
-                continue;
-            best = j;
-            best_thickness = t;
-        }
-        if (best == curves.size()) continue;
-        const auto common = *common_sweep(curves[i].arc, curves[best].arc);
-        const double radius = (curves[i].arc.radius + curves[best].arc.radius) / 2;
-        curves[i].used = curves[best].used = true;
-        bodies.paired_length += 2 * radius * common[1];
-        bodies.curved.push_back({curves[i].arc.centre, radius, common[0], common[1], best_thickness,
-                                 curves[i].height ? curves[i].height : curves[best].height});
-    }
-}
-
 }  // namespace
+
+std::optional<double> wall_height(const SheetStroke& stroke) {
+    if (stroke.rule && stroke.rule->height) return stroke.rule->height;
+    if (stroke.role == Role::LowWall) return 1.0;
+    return std::nullopt;
+}
 
 WallBodies wall_bodies(const std::vector<SheetStroke>& strokes, const PairLimits& limits) {
     WallBodies bodies;
     bodies.groups = face_groups(straight_strokes(strokes), limits.same_line);
     pair_straight(bodies, limits);
-    pair_curved(strokes, bodies, limits);
+    dxf::pair_curved(strokes, limits, bodies);
     return bodies;
 }
 

@@ -58,6 +58,9 @@ struct WallBodies {
     double usual_thickness = 0;  ///< the most frequent one, by length
 };
 
+/// Of the wall whose face the stroke is: as its rule says; of low walls 1 m; else nothing.
+[[nodiscard]] std::optional<double> wall_height(const SheetStroke& stroke);
+
 /// Pairs each stretch of a face with the partner that makes the likeliest wall: the longest common stretch at the most
 /// usual thickness first; a stretch belongs to one wall. `strokes`: those of walls. Cost: n log n, times the lines
 /// within PairLimits::most of each other.
