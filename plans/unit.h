@@ -38,6 +38,22 @@ enum class Unit { Millimetre, Centimetre, Decimetre, Metre, Kilometre, Inch, Foo
     return "m";
 }
 
+/// The unit in a sentence: "inches".
+[[nodiscard]] constexpr const char* plural_of(Unit unit) {
+    switch (unit) {
+        case Unit::Millimetre: return "millimetres";
+        case Unit::Centimetre: return "centimetres";
+        case Unit::Decimetre: return "decimetres";
+        case Unit::Metre: return "metres";
+        case Unit::Kilometre: return "kilometres";
+        case Unit::Inch: return "inches";
+        case Unit::Foot: return "feet";
+        case Unit::Yard: return "yards";
+        case Unit::Mile: return "miles";
+    }
+    return "metres";
+}
+
 /// The unit of that short name; nothing for others.
 [[nodiscard]] constexpr std::optional<Unit> unit_of(std::string_view name) {
     for (const Unit unit : {Unit::Millimetre, Unit::Centimetre, Unit::Decimetre, Unit::Metre, Unit::Kilometre,

@@ -93,12 +93,12 @@ double decide_unit(const Drawing& drawing, const Roles& roles, const ReadOptions
     const UnitVerdict verdict = sheet_unit(drawing, roles);
     if (verdict.overruled)
         findings.push_back(finding("P723", Severity::Warning,
-                                   std::string("The drawing says that it is in ") + name_of(*drawing.declared_unit) +
-                                       ", but is read in " + name_of(verdict.unit) + ": " + verdict.evidence + ".",
+                                   std::string("The drawing says that it is in ") + plural_of(*drawing.declared_unit) +
+                                       ", but is read in " + plural_of(verdict.unit) + ": " + verdict.evidence + ".",
                                    "If that is wrong, give the unit (--units)."));
     else if (verdict.guessed)
         findings.push_back(finding("P724", Severity::Note,
-                                   std::string("The drawing names no unit; it is read in ") + name_of(verdict.unit) +
+                                   std::string("The drawing names no unit; it is read in ") + plural_of(verdict.unit) +
                                        ": " + verdict.evidence + ".",
                                    "If that is wrong, give the unit (--units)."));
     return metres(verdict.unit);

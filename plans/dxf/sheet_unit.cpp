@@ -102,16 +102,15 @@ std::optional<double> typed_agreement(const Drawing& drawing, double scale) {
     return double(agree) / read;
 }
 
-std::string evidence_text(const Sizes& sizes, Unit unit) {
+std::string evidence_text(const Sizes& sizes) {
     char text[160];
-    const char* name = name_of(unit);
     if (sizes.door > 0)
         std::snprintf(text, sizeof text,
-                      "in %s its walls are %.2f m thick, its doors %.2f m wide and the whole %.0f m long", name,
-                      sizes.thickness, sizes.door, sizes.extent);
+                      "so its walls are %.2f m thick, its doors %.2f m wide and the whole %.0f m long", sizes.thickness,
+                      sizes.door, sizes.extent);
     else
-        std::snprintf(text, sizeof text, "in %s its walls are %.2f m thick and the whole is %.0f m long", name,
-                      sizes.thickness, sizes.extent);
+        std::snprintf(text, sizeof text, "so its walls are %.2f m thick and the whole is %.0f m long", sizes.thickness,
+                      sizes.extent);
     return text;
 }
 
@@ -134,7 +133,7 @@ UnitVerdict sheet_unit(const Drawing& drawing, const Roles& roles) {
         if (score <= best) continue;
         best = score;
         verdict.unit = unit;
-        verdict.evidence = evidence_text(sizes, unit);
+        verdict.evidence = evidence_text(sizes);
     }
     verdict.overruled = drawing.declared_unit && *drawing.declared_unit != verdict.unit;
     verdict.guessed = !drawing.declared_unit;

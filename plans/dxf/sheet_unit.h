@@ -13,7 +13,7 @@ struct UnitVerdict {
     Unit unit = Unit::Millimetre;
     bool overruled = false;  ///< the file says another one
     bool guessed = false;    ///< the file says none
-    std::string evidence;    ///< "walls are 0.15 m thick and doors 0.76 m wide in inches"
+    std::string evidence;    ///< "so its walls are 0.15 m thick, its doors 0.76 m wide ..."
 };
 
 /// Scores each unit by the thickness of wall pairs, the width of door swings, typed dimensions and the size of the
