@@ -98,7 +98,9 @@ RC_GTEST_PROP(RandomMesh, GoesThroughItself, ()) {
     const std::size_t v = *rc::gen::inRange<std::size_t>(0, p.points.size());
     for (double& x : p.points[v]) x *= -10;  // past the other side
     const Codes found = codes_of(p);
-    RC_ASSERT(found == Codes{"G4"});
+    // Seldom its faces come out around all the others: then nothing crosses, but inside is outside.
+    RC_CLASSIFY(found == Codes{"G4"}, "goes through itself");
+    RC_ASSERT(found == Codes{"G4"} || found == Codes{"G5 warning"});
 }
 
 RC_GTEST_PROP(RandomMesh, GoesThroughAnother, ()) {
