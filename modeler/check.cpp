@@ -36,6 +36,7 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     check_thickness(subject, blame, report);
     check_directions(subject, blame, report);
     if (building.convex) check_convexity(building, blame, report);
+    check_curves(subject, blame, report);
     check_tiling(subject, blame, report);
     check_labels(subject, blame, report);
     check_openings(subject, blame, report);

@@ -28,6 +28,9 @@ std::optional<InjectedFault> inject_g6(modeler::Building& building, plans::Rando
 /// An edge of a face is moved so that the face tilts and all faces stay flat.
 std::optional<InjectedFault> inject_g7(modeler::Building& building, plans::Random& random);
 
+/// A corner of a curved wall is moved off its circle by some millimetres, over its whole height.
+std::optional<InjectedFault> inject_g9(modeler::Building& building, plans::Random& random);
+
 /// Moves all that lies at `from` or above by `by` units, in the map, the tables and the plan alike.
 void shift_levels(modeler::Building& building, std::int32_t from, std::int32_t by);
 
