@@ -28,7 +28,8 @@ void read_rules(const Fields& file, const char* key, bool for_blocks, const Json
         if (!role)
             refuse(source, "P720", fields.at("is").place,
                    "\"" + is +
-                       "\" is nothing that a layer can be: write wall, low wall, door, window, opening, column, stair, "
+                       "\" is nothing that a layer can be: write wall, low wall, wall axis, door, window, opening, "
+                       "column, stair, "
                        "furniture, room name or ignored.");
         rule.role = *role;
         rule.height = optional_length(fields, "height");

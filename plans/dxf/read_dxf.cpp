@@ -43,6 +43,21 @@ RoleRules rules_of(const ReadOptions& options) {
 
 bool is_wall(Role role) { return role == Role::Wall || role == Role::LowWall; }
 
+/// Lines along the middle of walls become walls of the thickness asked for.
+void add_axes(const std::vector<SheetStroke>& strokes, double thickness, WallBodies& bodies) {
+    std::vector<SheetStroke> axes = strokes;
+    std::erase_if(axes, [](const SheetStroke& s) { return s.role != Role::WallAxis; });
+    PairLimits never;
+    never.most = 0;
+    const WallBodies lines = wall_bodies(axes, never);
+    for (WallBody line : lines.single) {
+        line.group += std::uint32_t(bodies.groups.size());
+        line.thickness = thickness;
+        bodies.straight.push_back(line);
+    }
+    bodies.groups.insert(bodies.groups.end(), lines.groups.begin(), lines.groups.end());
+}
+
 /// The layers with the most on them, for whoever has to say which are the walls.
 std::string layer_list(const Drawing& drawing) {
     std::vector<const Layer*> layers;
@@ -59,7 +74,7 @@ std::string layer_list(const Drawing& drawing) {
 /// Where no layer is called a wall, the one whose lines make the most wall when paired.
 void find_wall_layer(const Drawing& drawing, Roles& roles, const std::string& file, std::vector<Finding>& findings) {
     for (const Shape& shape : drawing.shapes)
-        if (is_wall(roles.of(drawing, shape))) return;
+        if (const Role role = roles.of(drawing, shape); is_wall(role) || role == Role::WallAxis) return;
     std::uint32_t best = UINT32_MAX;
     double most = 0;
     for (std::uint32_t layer = 0; layer < drawing.layers.size(); ++layer) {
@@ -235,7 +250,7 @@ Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOp
     std::vector<SheetStroke> wall_strokes = strokes;
     std::erase_if(wall_strokes, [](const SheetStroke& s) { return !is_wall(s.role); });
     WallBodies bodies = wall_bodies(wall_strokes);
-    const bool single_lines = bodies.paired_length < 0.4 * bodies.total_length;
+    const bool single_lines = bodies.total_length > 0 && bodies.paired_length < 0.4 * bodies.total_length;
     if (single_lines) {
         for (WallBody line : bodies.single) {
             line.thickness = options.wall_thickness;
@@ -246,6 +261,7 @@ Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOp
                                             std::to_string(int(std::lround(1000 * options.wall_thickness))) + " mm.",
                                         "Another thickness: --wall-thickness-mm."));
     }
+    add_axes(strokes, options.wall_thickness, bodies);
     Storey storey;
     storey.id = storey.name = "storey";
     storey.height = options.storey_height;

@@ -13,10 +13,10 @@ struct RoleName {
     const char* name;
 };
 constexpr std::array role_names = {
-    RoleName{Role::Ignored, "ignored"},    RoleName{Role::Wall, "wall"},     RoleName{Role::LowWall, "low wall"},
-    RoleName{Role::Door, "door"},          RoleName{Role::Window, "window"}, RoleName{Role::Opening, "opening"},
-    RoleName{Role::Column, "column"},      RoleName{Role::Stair, "stair"},   RoleName{Role::Furniture, "furniture"},
-    RoleName{Role::RoomName, "room name"},
+    RoleName{Role::Ignored, "ignored"},     RoleName{Role::Wall, "wall"},          RoleName{Role::LowWall, "low wall"},
+    RoleName{Role::WallAxis, "wall axis"},  RoleName{Role::Door, "door"},          RoleName{Role::Window, "window"},
+    RoleName{Role::Opening, "opening"},     RoleName{Role::Column, "column"},      RoleName{Role::Stair, "stair"},
+    RoleName{Role::Furniture, "furniture"}, RoleName{Role::RoomName, "room name"},
 };
 
 bool is_word_byte(char c) {

@@ -15,7 +15,8 @@ enum class Role : std::uint8_t {
     Unknown,
     Ignored,
     Wall,
-    LowWall,  ///< a wall lower than the storey
+    LowWall,   ///< a wall lower than the storey
+    WallAxis,  ///< walls drawn as single lines along their middle; no name says so, a mapping may
     Door,
     Window,
     Opening,  ///< doors, windows or holes: their shape tells which
