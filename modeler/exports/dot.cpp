@@ -19,7 +19,7 @@ using plans::rounded_text;
 constexpr std::uint32_t no_storey = UINT32_MAX;
 constexpr double points_per_metre = 72 / 0.0254 / 40;  // 1:40
 constexpr const char* head = R"(graph "enfilade" {
-  graph [layout=neato, inputscale=72, splines=true, fontname="sans-serif", fontsize=10, color="#999999"];
+  graph [layout=neato, inputscale=72, splines=line, fontname="sans-serif", fontsize=10, color="#999999"];
   node [fontname="sans-serif", fontsize=9, style=filled, fillcolor="#ffffff", color="#444444"];
   edge [fontname="sans-serif", fontsize=7, color="#444444"];
 )";

@@ -113,6 +113,8 @@ def city_area(city):
 
 
 def check(plan):
+    if "/" in plan and not pathlib.Path(plan).exists():
+        skip(f"{plan} is not on this machine")
     stem = FOLDER / pathlib.Path(plan).stem
     subprocess.run([WRITER, plan, stem], check=True)
     done = subprocess.run(["node", "--import", "./hook.mjs", "reader.mjs", stem.name], cwd=FOLDER, capture_output=True,
