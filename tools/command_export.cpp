@@ -4,9 +4,12 @@
 
 #include "accel/scene_file.h"
 #include "base/error.h"
+#include "modeler/exports/city_json.h"
 #include "modeler/exports/dot.h"
 #include "modeler/exports/gltf.h"
 #include "modeler/exports/graphml.h"
+#include "modeler/exports/hbjson.h"
+#include "modeler/exports/indoor_gml.h"
 #include "modeler/exports/obj.h"
 #include "modeler/model_group.h"
 #include "tools/commands.h"
@@ -56,6 +59,14 @@ Files write_dot(const Request& request) {
     return {request.output()};
 }
 
+template <std::string (*write)(const modeler::Building&)>
+Files write_model(const Request& request) {
+    write_text(request.output(), write(request.building()));
+    return {request.output()};
+}
+
+std::string indoor_gml(const modeler::Building& building) { return modeler::to_indoorgml(building); }
+
 struct Format {
     const char* ending;
     const char* sentence;
@@ -65,6 +76,11 @@ struct Format {
 constexpr std::array formats = {
     Format{".glb", "glTF 2.0: faces with materials, lamps and furniture, for 3D programs", write_glb},
     Format{".obj", "Wavefront OBJ and MTL: faces with materials, for 3D programs", write_obj},
+    Format{".gml", "IndoorGML 1.1: rooms, doors and how they are joined, for navigation", write_model<indoor_gml>},
+    Format{".city.json", "CityJSON 2.0: storeys, rooms, walls and slabs as solids, for maps of cities",
+           write_model<modeler::to_cityjson>},
+    Format{".hbjson", "Honeybee: rooms with their adjacent faces and windows, for energy models",
+           write_model<modeler::to_hbjson>},
     Format{".graphml", "the graph of rooms and the graph of cells, for programs that walk graphs", write_graphml},
     Format{".dot", "the same for Graphviz, one of them: --level", write_dot},
 };
