@@ -14,18 +14,6 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// "Bedroom 2", "W.I.C.", "书房"; not "13'8 x 14'", "2668", "GFCI 220V", "UP", "R", nor a sentence.
-bool reads_like_a_name(const std::string& text) {
-    std::size_t letters = 0, digits = 0, words = 1;
-    for (const char c : text) {
-        letters += is_letter(c);
-        digits += c >= '0' && c <= '9';
-        words += c == ' ';
-        if (c == '"' || c == '=' || c == '@' || c == '/' || c == ':' || c == '%') return false;
-    }
-    return letters >= 3 && letters > 2 * digits && text.size() <= 30 && words <= 4 && !text.starts_with("www");
-}
-
 /// Words of which names of rooms are made, folded: they tell names from the notes that stand among them.
 constexpr std::array room_words = {
     "room",    "bed",        "bath",       "kitchen",    "living",   "dining",   "hall",       "entry",     "entrance",
@@ -47,6 +35,19 @@ bool names_a_room(const std::string& text) {
         const std::size_t at = plain.find(word);
         return at != std::string::npos && (at == 0 || !is_letter(plain[at - 1]) || !is_letter(word[0]));
     });
+}
+
+/// "Bedroom 2", "W.I.C.", "WC", "书房"; not "13'8 x 14'", "2668", "GFCI 220V", "UP", "R", nor a sentence.
+bool reads_like_a_name(const std::string& text) {
+    std::size_t letters = 0, digits = 0, words = 1;
+    for (const char c : text) {
+        letters += is_letter(c);
+        digits += c >= '0' && c <= '9';
+        words += c == ' ';
+        if (c == '"' || c == '=' || c == '@' || c == '/' || c == ':' || c == '%') return false;
+    }
+    return (letters >= 3 || names_a_room(text)) && letters > 2 * digits && text.size() <= 30 && words <= 4 &&
+           !text.starts_with("www");
 }
 
 struct Line {
