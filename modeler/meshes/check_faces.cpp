@@ -152,7 +152,9 @@ private:
             if (reflex != 4) return false;  // two: its sides cross
             reflex = k;
         }
-        const std::uint32_t at = reflex == 4 ? 0 : std::uint32_t(reflex);
+        // Of both diagonals of a convex one that whose end has the lowest place: the same for all who share the face.
+        const auto lower = [&](std::uint32_t a, std::uint32_t b) { return place_[corners_[a]] < place_[corners_[b]]; };
+        const std::uint32_t at = reflex == 4 ? std::min({0u, 1u, 2u, 3u}, lower) : static_cast<std::uint32_t>(reflex);
         triangles_ = {{at, (at + 1) % 4, (at + 2) % 4}, {at, (at + 2) % 4, (at + 3) % 4}};
         return true;
     }

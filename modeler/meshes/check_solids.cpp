@@ -153,9 +153,9 @@ private:
                 return Lie::Unknown;
             }
             spent_ += cost;
-            const double turns = std::abs(shapes_.winding(q, report_.mesh().points[corners[k]]));
-            if (turns > 0.99) return Lie::Inside;
-            if (turns < 0.01) return Lie::Apart;
+            const PieceShapes::Side side = shapes_.side(q, report_.mesh().points[corners[k]]);
+            if (side == PieceShapes::Side::Inside) return Lie::Inside;
+            if (side == PieceShapes::Side::Outside) return Lie::Apart;
         }
         return Lie::Unknown;  // it lies on the other surface
     }
@@ -214,7 +214,7 @@ private:
             return false;
         }
         spent_ += cost;
-        return std::abs(shapes_.winding(q, point)) > 0.99;
+        return shapes_.side(q, point) == PieceShapes::Side::Inside;
     }
 
     [[nodiscard]] bool same_solid(std::uint32_t p, std::uint32_t q) const {

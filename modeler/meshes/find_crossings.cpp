@@ -5,6 +5,7 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "modeler/meshes/mesh_solids.h"
@@ -24,7 +25,7 @@ class CrossingFinder {
 public:
     CrossingFinder(const Mesh& mesh, const MeshTriangles& triangles, const MeshPieces& pieces,
                    const std::vector<std::uint32_t>& place)
-        : mesh_(mesh), triangles_(triangles), pieces_(pieces), place_(place) {}
+        : mesh_(mesh), triangles_(triangles), pieces_(pieces), place_(place), touching_(touching_distance(mesh)) {}
 
     void search(std::uint32_t begin, std::uint32_t end) {
         std::vector<Box> boxes;
@@ -117,21 +118,49 @@ private:
             if (side[k] * side[(k + 1) % 3] >= 0) continue;
             const Point p = point(a, k), q = point(a, (k + 1) % 3);
             const CGAL::Orientation first = CGAL::orientation(p, q, u, v);
-            if (first != CGAL::ZERO && first == CGAL::orientation(p, q, v, w) && first == CGAL::orientation(p, q, w, u))
+            if (first != CGAL::ZERO && first == CGAL::orientation(p, q, v, w) &&
+                first == CGAL::orientation(p, q, w, u) && is_deep(p, q, {u, v, w}))
                 return true;
         }
         return false;
+    }
+
+    /// The segment, which goes through the triangle, reaches beyond its plane and passes its sides by more than
+    /// rounding.
+    [[nodiscard]] bool is_deep(const Point& p, const Point& q, const std::array<Point, 3>& corner) const {
+        const auto normal = CGAL::cross_product(corner[1] - corner[0], corner[2] - corner[0]);
+        const double size = std::sqrt(normal.squared_length());
+        if (size == 0) return false;
+        const double above = std::abs((p - corner[0]) * normal) / size,
+                     below = std::abs((q - corner[0]) * normal) / size;
+        if (std::min(above, below) <= touching_) return false;
+        const Point x = p + (q - p) * (above / (above + below));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto along = corner[(k + 1) % 3] - corner[k];
+            const double apart =
+                std::sqrt(CGAL::cross_product(along, x - corner[k]).squared_length() / along.squared_length());
+            if (apart <= touching_) return false;
+        }
+        return true;
     }
 
     const Mesh& mesh_;
     const MeshTriangles& triangles_;
     const MeshPieces& pieces_;
     const std::vector<std::uint32_t>& place_;
+    double touching_;
     std::uint64_t budget_ = 0;
     std::unordered_map<std::uint64_t, bool> piercing_;  ///< [pair of pieces that come near each other]
 };
 
 }  // namespace
+
+double touching_distance(const Mesh& mesh) {
+    double largest = 0;
+    for (const auto& p : mesh.points)
+        for (const double x : p) largest = std::max(largest, std::abs(x));
+    return 1e-12 * largest;
+}
 
 Crossings find_crossings(const Mesh& mesh, const MeshTriangles& triangles, const MeshPieces& pieces,
                          const std::vector<std::uint32_t>& place) {

@@ -36,10 +36,13 @@ using PiecePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 /// What the search for crossings found; everything ascending.
 struct Crossings {
     std::vector<Crossing> within;  ///< a piece: any common point beyond shared corners and sides
-    PiecePairs piercing;           ///< pieces of a group of which one goes through the other
+    PiecePairs piercing;           ///< pieces of a group of which one goes through the other, deeper than they touch
     PiecePairs near;               ///< pieces of a group whose triangles come near each other
     bool complete = true;          ///< false: the search ended early, there are far too many
 };
+
+/// Nearer than this surfaces of different pieces touch: what rounding makes of coordinates of this size.
+[[nodiscard]] double touching_distance(const Mesh& mesh);
 
 /// `place` says which vertices are one point. Exact.
 [[nodiscard]] Crossings find_crossings(const Mesh& mesh, const MeshTriangles& triangles, const MeshPieces& pieces,

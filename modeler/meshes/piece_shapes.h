@@ -30,8 +30,9 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> triangles_of(std::uint32_t piece) const {
         return std::span(items_).subspan(first_[piece], first_[piece + 1] - first_[piece]);
     }
-    /// How often the surface goes around the point: 0 outside, 1 or -1 inside, a half on it.
-    [[nodiscard]] double winding(std::uint32_t piece, const std::array<double, 3>& point) const;
+    /// Where a point lies; `On`: nearer to the surface than `touching_distance`.
+    enum class Side : std::uint8_t { Outside, Inside, On };
+    [[nodiscard]] Side side(std::uint32_t piece, const std::array<double, 3>& point) const;
     /// A ring of the face turns so that it is counter-clockwise from outside.
     [[nodiscard]] bool faces_outward(std::uint32_t face) const;
 
@@ -43,6 +44,7 @@ private:
     const MeshPieces& pieces_;
     std::vector<std::uint32_t> first_, items_;
     std::vector<PieceShape> shapes_;
+    double touching_;
 };
 
 }  // namespace enfilade::modeler

@@ -6,6 +6,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace enfilade::modeler {
 namespace {
@@ -19,6 +21,7 @@ using Triangulation =
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 constexpr int unknown = -1;
+using Side = std::array<std::uint32_t, 2>;
 
 /// How many rings are around each triangle: 0 outside, 1 in the polygon, 2 in a hole.
 void count_levels(Triangulation& cdt) {
@@ -91,52 +94,62 @@ bool turns_right(std::span<const std::array<double, 2>> ring) {
 struct PolygonTriangulator::State {
     Triangulation cdt;
     std::vector<Triangulation::Vertex_handle> vertices;
+    std::vector<std::uint32_t> order;
+    std::vector<Side> sides;
 
     PolygonVerdict insert(std::span<const std::array<double, 2>> corners, std::span<const std::uint32_t> ring_ends);
+    PolygonVerdict insert_sides();
     PolygonVerdict judge_holes(std::span<const std::uint32_t> ring_ends);
 };
 
 PolygonVerdict PolygonTriangulator::State::insert(std::span<const std::array<double, 2>> corners,
                                                   std::span<const std::uint32_t> ring_ends) {
     cdt.clear();
-    vertices.clear();
-    for (std::uint32_t k = 0; k < corners.size(); ++k) {
+    vertices.assign(corners.size(), {});
+    // In an order that does not depend on how the ring is written: a face that two solids share is cut the same way.
+    order.resize(corners.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(corners[a], a) < std::pair(corners[b], b); });
+    const auto ring_of = [&](std::uint32_t c) {
+        return std::upper_bound(ring_ends.begin(), ring_ends.end(), c) - ring_ends.begin();
+    };
+    Triangulation::Face_handle hint;
+    for (const std::uint32_t k : order) {
         const std::size_t before = cdt.number_of_vertices();
-        vertices.push_back(cdt.insert({corners[k][0], corners[k][1]},
-                                      vertices.empty() ? Triangulation::Face_handle() : vertices.back()->face()));
+        vertices[k] = cdt.insert({corners[k][0], corners[k][1]}, hint);
+        hint = vertices[k]->face();
         // A hole may touch another ring at a point: that corner is one for both.
-        if (before == cdt.number_of_vertices()) {
-            const std::uint32_t other = vertices.back()->info();
-            const auto ring_of = [&](std::uint32_t c) {
-                return std::upper_bound(ring_ends.begin(), ring_ends.end(), c) - ring_ends.begin();
-            };
-            if (ring_of(other) == ring_of(k)) return {PolygonFault::Coincident, k};
-        } else {
-            vertices.back()->info() = k;
-        }
+        if (before != cdt.number_of_vertices()) vertices[k]->info() = k;
+        else if (ring_of(vertices[k]->info()) == ring_of(k)) return {PolygonFault::Coincident, k};
     }
     if (cdt.dimension() < 2) return {PolygonFault::NoArea, 0};
+    sides.clear();
     std::uint32_t begin = 0;
     for (const std::uint32_t end : ring_ends) {
-        for (std::uint32_t k = begin; k < end; ++k) {
-            const auto from = vertices[k], to = vertices[k + 1 < end ? k + 1 : begin];
-            Triangulation::Face_handle face;
-            int i = 0;
-            if (cdt.is_edge(from, to, face, i) && face->is_constrained(i)) return {PolygonFault::Touching, k};
-            try {
-                cdt.insert_constraint(from, to);
-            } catch (const Triangulation::Intersection_of_constraints_exception&) {
-                return {PolygonFault::Crossing, k};
-            }
+        for (std::uint32_t k = begin; k < end; ++k) sides.push_back({k, k + 1 < end ? k + 1 : begin});
+        begin = end;
+    }
+    std::sort(sides.begin(), sides.end(), [&](const Side& s, const Side& t) {
+        return std::minmax(corners[s[0]], corners[s[1]]) < std::minmax(corners[t[0]], corners[t[1]]);
+    });
+    return insert_sides();
+}
+
+PolygonVerdict PolygonTriangulator::State::insert_sides() {
+    for (const auto& [k, after] : sides) {
+        Triangulation::Face_handle face;
+        int i = 0;
+        if (cdt.is_edge(vertices[k], vertices[after], face, i) && face->is_constrained(i))
+            return {PolygonFault::Touching, k};
+        try {
+            cdt.insert_constraint(vertices[k], vertices[after]);
+        } catch (const Triangulation::Intersection_of_constraints_exception&) {
+            return {PolygonFault::Crossing, k};
         }
-        begin = end;
     }
-    begin = 0;
-    for (const std::uint32_t end : ring_ends) {
-        for (std::uint32_t k = begin; k < end; ++k)
-            if (!cdt.is_edge(vertices[k], vertices[k + 1 < end ? k + 1 : begin])) return {PolygonFault::Touching, k};
-        begin = end;
-    }
+    for (const auto& [k, after] : sides)
+        if (!cdt.is_edge(vertices[k], vertices[after])) return {PolygonFault::Touching, k};
     return {};
 }
 
