@@ -17,9 +17,9 @@ mkdir -p "$out"
 
 # Real plans have faults: the model is made of what can be used, and the report names the rest.
 verdict=0
-"$enfilade" build "$plan" -o "$out/$name.enf" --keep-going --report "$out/report.txt" || verdict=$?
+"$enfilade" build "$plan" -o "$out/$name.enf" --keep-going --report "$out/report.html" || verdict=$?
 [ "$verdict" -le 1 ] || exit "$verdict"
-"$enfilade" check "$out/$name.enf" --json >"$out/report.json" || [ $? -eq 1 ]
+"$enfilade" check "$out/$name.enf" --report "$out/report.json" --quiet || [ $? -eq 1 ]
 "$enfilade" info "$out/$name.enf" >"$out/info.txt"
 
 "$enfilade" render "$out/$name.enf" -o "$out/exterior.png" --camera exterior --size 1280x960 --samples 2
@@ -39,5 +39,5 @@ print(max(rooms, key=lambda r: (r["name"] != "", r["area_m2"]))["id"])')
 echo
 echo "The pictures:"
 for picture in "$out"/*.png; do echo "  $PWD/$picture"; done
-echo "The report: $PWD/$out/report.txt (for programs: report.json beside it)"
+echo "The report, a page for the browser: $PWD/$out/report.html (for programs: report.json beside it)"
 echo "The model, for other 3D programs: $PWD/$out/$name.glb"
