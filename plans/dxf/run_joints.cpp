@@ -43,6 +43,12 @@ double length_of(const WallRun& run) { return distance(run.start, run.end); }
 
 }  // namespace
 
+std::vector<SheetStroke> axes_of(const std::vector<WallRun>& runs) {
+    std::vector<SheetStroke> axes;
+    for (const WallRun& run : runs) axes.push_back({.stroke = {run.start, run.end, 0}, .role = Role::WallAxis});
+    return axes;
+}
+
 void join_ends(std::vector<WallRun>& runs) {
     std::vector<PlanBox> boxes(runs.size());
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -82,13 +88,18 @@ void join_ends(std::vector<WallRun>& runs) {
 void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>& strokes, const StrokeIndex& index,
                      std::vector<bool>& used, const GapLimits& limits) {
     const std::vector<WallRun> found = runs;
+    const StrokeIndex axes(axes_of(found));
     for (std::uint32_t k = 0; k < runs.size(); ++k)
         for (const bool at_end : {false, true}) {
             WallRun& run = runs[k];
-            if (at_end ? run.end_joined : run.start_joined) continue;
+            if ((at_end ? run.end_joined : run.start_joined) || length_of(run) < 1e-6) continue;
             std::optional<double> nearest;
             double half = 0;
-            for (std::uint32_t o = 0; o < found.size(); ++o) {
+            const Point end = at_end ? run.end : run.start, ahead = at_end ? run.end - run.start : run.start - run.end;
+            PlanBox reach;
+            reach.add(end);
+            reach.add(end + ahead * (limits.drawn / length_of(run)));
+            for (const std::uint32_t o : axes.near(reach.grown(run.thickness + 0.01))) {
                 if (o == k) continue;
                 const auto met = meeting(run, at_end, found[o]);
                 if (!met || met->beyond > run.thickness || met->ahead < 0.3 || met->ahead > limits.drawn) continue;

@@ -8,6 +8,9 @@
 
 namespace enfilade::plans {
 
+/// The axes as strokes, for an index of them.
+[[nodiscard]] std::vector<SheetStroke> axes_of(const std::vector<WallRun>& runs);
+
 /// Runs across other runs' ends: leads each end to the axis that it reaches within the walls' thickness. \post *_joined
 void join_ends(std::vector<WallRun>& runs);
 

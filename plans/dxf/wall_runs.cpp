@@ -9,6 +9,8 @@
 namespace enfilade::plans {
 namespace {
 
+constexpr double slanted_reach = 4;  ///< metres: (PairLimits::most + 0.1) / 0.2, the least sine
+
 /// What is between two stretches of wall on one axis.
 enum class Between { Wall, Opening, Nothing };
 
@@ -53,6 +55,7 @@ public:
             const Point at = turned_left(dir) * body.v;
             as_runs_.push_back({dir * body.u0 + at, dir * body.u1 + at, body.thickness, body.height, {}});
         }
+        run_index_.emplace(axes_of(as_runs_));
     }
 
     std::vector<WallRun> make() {
@@ -146,7 +149,11 @@ private:
     [[nodiscard]] bool crossing(const GapPlace& gap) const {
         const Point normal = turned_left(gap.dir);
         double filled = 0;
-        for (const WallRun& other : as_runs_) {
+        PlanBox box;
+        for (const double u : {gap.u0, gap.u1}) box.add(gap.dir * u + normal * gap.v);
+        // No wall that slants as little as is counted reaches farther along the gap.
+        for (const std::uint32_t k : run_index_->near(box.grown(slanted_reach))) {
+            const WallRun& other = as_runs_[k];
             const Point d = (other.end - other.start) * (1 / distance(other.start, other.end));
             const double sine = std::abs(cross(gap.dir, d));
             if (sine < 0.2) continue;
@@ -188,6 +195,7 @@ private:
     GapLimits limits_;
     std::vector<bool> used_;
     std::vector<WallRun> as_runs_;  ///< the bodies, before they are joined
+    std::optional<StrokeIndex> run_index_;
 };
 
 }  // namespace
