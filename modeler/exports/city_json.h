@@ -13,7 +13,7 @@ namespace enfilade::modeler {
 /// several), level of detail 3, z up, vertices shared and exactly those of the building's grid (`transform`). Surfaces
 /// say what they are: FloorSurface, CeilingSurface, InteriorWallSurface, WallSurface, RoofSurface, GroundSurface,
 /// OuterCeilingSurface, OuterFloorSurface, Door, Window, ClosureSurface; `adjacent` names the object on their other
-/// side. The exterior and the ground are left out. About 10 kB a room. Convex pieces do not show.
+/// side. The exterior and the ground are left out. About 5 kB a room. Convex pieces do not show.
 /// Throws InputError (F22) where the border of a space does not close.
 [[nodiscard]] std::string to_cityjson(const Building& building);
 

@@ -12,7 +12,7 @@ namespace enfilade::modeler {
 /// conditions in both directions and have equal areas, which is what Honeybee and EnergyPlus ask of them. Doors are
 /// Doors, windows (and holes to the outdoors) Apertures, both paired like their faces; openings without leaf and
 /// rooms that touch are AirBoundary faces. Outdoors and Ground as they are; Adiabatic where no room is straight across
-/// (ends of walls, columns, walls below). Metres, tolerance 1 mm. About 15 kB a room.
+/// (ends of walls, columns, walls below). Metres, tolerance 1 mm. About 7 kB a room.
 [[nodiscard]] std::string to_hbjson(const Building& building);
 
 }  // namespace enfilade::modeler
