@@ -1,3 +1,4 @@
+#include "modeler/check.h"
 #include "modeler/meshes/mesh.h"
 #include "modeler/meshes/mesh_readers.h"
 #include "modeler/meshes/mesh_solids.h"

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "base/finding.h"
-#include "modeler/check.h"
 
 namespace enfilade::modeler {
+
+struct CheckReport;  // modeler/check.h
 
 enum class MeshFormat : std::uint8_t { Obj, Off, Ply, Stl, CityJson };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/check.h"
 #include "modeler/meshes/mesh.h"
 
 namespace enfilade::modeler {

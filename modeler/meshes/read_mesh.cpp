@@ -80,8 +80,13 @@ Mesh read_any(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 std::span<const MeshHole> Mesh::holes_of(std::size_t f) const {
-    const auto range = std::ranges::equal_range(holes, static_cast<std::uint32_t>(f), {}, &MeshHole::face);
-    return {range.begin(), range.end()};
+    struct ByFace {
+        bool operator()(const MeshHole& hole, std::size_t face) const { return hole.face < face; }
+        bool operator()(std::size_t face, const MeshHole& hole) const { return face < hole.face; }
+    };
+    const auto range = std::equal_range(holes.begin(), holes.end(), f, ByFace());
+    return std::span(holes).subspan(static_cast<std::size_t>(range.first - holes.begin()),
+                                    static_cast<std::size_t>(range.second - range.first));
 }
 
 Mesh read_mesh(std::string_view bytes, const std::string& name, const MeshOptions& options) {
