@@ -65,10 +65,12 @@ void blame_volume(const Building& building, std::uint32_t v, std::string sentenc
 }
 
 void check_shapes(const Building& building, Blame& blame, CheckReport& report) {
-    std::vector<bool> seen(building.pieces.size(), false);
+    std::vector<bool> seen(building.pieces.size(), false), at_fault(building.pieces.size(), false);
     for (std::uint32_t v = 0; v < building.volumes.size(); ++v) {
         const Volume& volume = building.volumes[v];
-        if (!carries_light(volume.label) || seen[volume.piece]) continue;
+        // A label that is not its space's is S1's: whether that volume is a cell is not known.
+        if (!carries_light(volume.label) || volume.label != building.spaces[volume.space].label) continue;
+        if (seen[volume.piece]) continue;
         seen[volume.piece] = true;
         if (blame.volume[v]) {
             ++report.suppressed;
@@ -88,8 +90,14 @@ void check_shapes(const Building& building, Blame& blame, CheckReport& report) {
                          "A side of " + title(building.spaces[volume.space]) + " strays from its line by " +
                              std::string(text) + " grid units.",
                          blame, report);
+        } else {
+            continue;
         }
+        at_fault[volume.piece] = true;
     }
+    // All that stands over a piece has its shape.
+    for (std::uint32_t v = 0; v < building.volumes.size(); ++v)
+        if (building.volumes[v].piece < at_fault.size() && at_fault[building.volumes[v].piece]) blame.volume[v] = true;
 }
 
 /// Pieces of one parent: their areas sum to the area within the parent's outline, and each volume of the map has
@@ -135,7 +143,9 @@ void check_sums(const Building& building, Blame& blame, CheckReport& report) {
         }
         if (pieces != outline && !members[parent].empty()) {
             const std::uint32_t v = members[parent].front();
-            if (blame.volume[v]) ++report.suppressed;
+            if (std::any_of(members[parent].begin(), members[parent].end(),
+                            [&](std::uint32_t member) { return blame.volume[member]; }))
+                ++report.suppressed;
             else
                 blame_volume(
                     building, v,
@@ -150,7 +160,11 @@ void check_sums(const Building& building, Blame& blame, CheckReport& report) {
 void check_convexity(const Building& building, Blame& blame, CheckReport& report) {
     report.codes_checked.emplace_back("G8");
     check_shapes(building, blame, report);
-    if (blame.whole_map) ++report.suppressed;
+    // Volumes of a map whose links are broken (T1-T7) cannot be measured.
+    const bool is_broken = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
+        return finding.code[0] == 'T' && finding.code != "T8";
+    });
+    if (blame.whole_map || is_broken) ++report.suppressed;
     else check_sums(building, blame, report);
 }
 

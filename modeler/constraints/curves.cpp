@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "modeler/constraints/star_blame.h"
 #include "modeler/place.h"
@@ -118,7 +119,8 @@ private:
         return side;
     }
 
-    /// How far an upright face strays from the nearer side of the wall, 0 where it does not lie along it.
+    /// How far an upright face strays from that side of the wall which it fits best, 0 where it does not lie along the
+    /// circle, or reaches beyond what the joints leave of one of the sides.
     [[nodiscard]] Stray stray_of(std::uint32_t face, const plans::WallOutline& outline,
                                  const std::array<CurvedSide, 2>& sides) const {
         const FaceRings& rings = subject_.rings;
@@ -137,20 +139,21 @@ private:
         const double length = plans::distance(a, b), radius = plans::distance(middle, centre);
         if (length == 0 || radius == 0) return {};
         if (std::abs(plans::dot(b - a, middle - centre)) > along_circle * length * radius) return {};
-        const std::size_t nearer = std::abs(radius - sides[0].radius) < std::abs(radius - sides[1].radius) ? 0 : 1;
-        const CurvedSide& side = sides[nearer];
         const double slack = 2 * unit / axis.length();
-        for (const Point p : {a, b})
-            if (axis.nearest(p) < side.from - slack || axis.nearest(p) > side.to + slack) return {};
-        Stray stray{.face = face};
-        for (const Point p : {middle, a, b}) {
-            const double off = std::abs(plans::distance(p, centre) - side.radius);
-            if (off <= stray.metres) continue;
-            stray.metres = off;
-            stray.place = {building_.frame.origin_x + p.x, building_.frame.origin_y + p.y,
-                           building_.frame.origin_z + unit * (double(z_low) + z_high) / 2};
+        Stray least{.metres = std::numeric_limits<double>::infinity()};
+        for (const CurvedSide& side : sides) {
+            Stray stray{.face = face};
+            for (const Point p : {middle, a, b}) {
+                if (axis.nearest(p) < side.from - slack || axis.nearest(p) > side.to + slack) return {};
+                const double off = std::abs(plans::distance(p, centre) - side.radius);
+                if (off <= stray.metres) continue;
+                stray.metres = off;
+                stray.place = {building_.frame.origin_x + p.x, building_.frame.origin_y + p.y,
+                               building_.frame.origin_z + unit * (double(z_low) + z_high) / 2};
+            }
+            if (stray.metres < least.metres) least = stray;
         }
-        return stray;
+        return least;
     }
 
     void report(std::uint32_t space, const Stray& stray) {

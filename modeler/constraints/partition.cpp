@@ -1,5 +1,7 @@
 // G5: the volumes tile the site box.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "modeler/constraints/constraints.h"
@@ -14,6 +16,23 @@ std::string litres(const Building& building, Int128 volume6) {
     char text[48];
     std::snprintf(text, sizeof text, "%.3g litres", 1000 * cubic_metres);
     return text;
+}
+
+/// The middle of the first side of the hull that is not where the site box has it; of the box where all sides are.
+std::array<double, 3> middle_of_wrong_side(const Building& building) {
+    std::array<std::int32_t, 3> low = building.vertices.front(), high = low;
+    for (const auto& p : building.vertices)
+        for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+    std::array<double, 3> place;
+    for (std::size_t i = 0; i < 3; ++i) place[i] = (double(building.site_min[i]) + building.site_max[i]) / 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (low[i] == building.site_min[i] && high[i] == building.site_max[i]) continue;
+        place[i] = low[i] != building.site_min[i] ? low[i] : high[i];
+        break;
+    }
+    const plans::GridFrame& frame = building.frame;
+    return {frame.origin_x + frame.unit * place[0], frame.origin_y + frame.unit * place[1],
+            frame.origin_z + frame.unit * place[2]};
 }
 
 }  // namespace
@@ -53,6 +72,7 @@ void check_partition(const Building& building, Blame& blame, CheckReport& report
                            " more than the site box, whose hull differs by " +
                            litres(building, -(*volumes)[outside] - box) + ".";
         finding.hint = "Some volume is missing or counted twice; report the plan.";
+        finding.point = middle_of_wrong_side(building);
         place_at_volume(building, outside, finding);
         blame.whole_map = true;
         report.findings.push_back(std::move(finding));

@@ -38,6 +38,12 @@ void find_meetings(const FaceRings& rings, std::uint32_t volume, std::vector<She
               [](const ShellMeeting& a, const ShellMeeting& b) { return a.faces < b.faces; });
 }
 
+/// The face that is pushed through the other one: the smaller one; either where they have as many corners.
+std::span<const std::uint32_t> pushed_faces(const FaceRings& rings, const ShellMeeting& meeting) {
+    const bool alike = rings.ring(meeting.faces[0]).size() == rings.ring(meeting.faces[1]).size();
+    return std::span(meeting.faces).first(alike ? 2 : 1);
+}
+
 /// Meetings whose smaller faces hang together in vertices are one fault: something is pushed through something else,
 /// and each of its sides meets what it is pushed through.
 std::vector<std::vector<std::uint32_t>> faults_of(const FaceRings& rings, const std::vector<ShellMeeting>& meetings) {
@@ -49,12 +55,13 @@ std::vector<std::vector<std::uint32_t>> faults_of(const FaceRings& rings, const 
     };
     std::map<std::uint32_t, std::uint32_t> at_vertex;
     for (std::uint32_t k = 0; k < meetings.size(); ++k)
-        for (const std::uint32_t v : rings.ring(meetings[k].faces[0])) {
-            const auto [known, is_new] = at_vertex.try_emplace(v, k);
-            if (is_new) continue;
-            const std::uint32_t a = root(known->second), b = root(k);
-            parent[std::max(a, b)] = std::min(a, b);
-        }
+        for (const std::uint32_t f : pushed_faces(rings, meetings[k]))
+            for (const std::uint32_t v : rings.ring(f)) {
+                const auto [known, is_new] = at_vertex.try_emplace(v, k);
+                if (is_new) continue;
+                const std::uint32_t a = root(known->second), b = root(k);
+                parent[std::max(a, b)] = std::min(a, b);
+            }
     std::vector<std::vector<std::uint32_t>> faults;
     std::vector<std::uint32_t> fault_of(meetings.size(), UINT32_MAX);
     for (std::uint32_t k = 0; k < meetings.size(); ++k) {
@@ -132,7 +139,7 @@ void check_shells(const Subject& subject, Blame& blame, CheckReport& report) {
     for (const std::vector<std::uint32_t>& fault : faults_of(rings, meetings)) {
         report_fault(subject, meetings[fault.front()], report);
         for (const std::uint32_t k : fault) {
-            stars.blame(rings.ring(meetings[k].faces[0]));
+            for (const std::uint32_t f : pushed_faces(rings, meetings[k])) stars.blame(rings.ring(f));
             for (const std::uint32_t f : meetings[k].faces) {
                 if (f < blame.face.size()) blame.face[f] = true;
                 for (const std::uint32_t v : rings.volumes(f)) blame.volume[v] = true;

@@ -174,7 +174,10 @@ private:
         std::uint32_t where = 0;
         for (const std::uint32_t v : volumes) {
             std::int32_t low = INT32_MAX, high = INT32_MIN;
-            for (const std::uint32_t f : rings.faces_of(v)) {
+            const auto faces = rings.faces_of(v);
+            if (std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return rings.lie(f) == Lie::Tilted; }))
+                continue;  // G7
+            for (const std::uint32_t f : faces) {
                 if (rings.lie(f) != Lie::Level) continue;
                 low = std::min(low, rings.point(rings.ring(f)[0])[2]);
                 high = std::max(high, rings.point(rings.ring(f)[0])[2]);

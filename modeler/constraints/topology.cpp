@@ -1,5 +1,8 @@
 // T1-T7.
 
+#include <algorithm>
+#include <array>
+
 #include "gmap/validate.h"
 #include "modeler/constraints/constraints.h"
 #include "modeler/place.h"
@@ -23,7 +26,50 @@ Finding finding_of(const Building& building, const gmap::Defect& defect, Blame& 
         blame.face[face] = true;
     }
     if (volume >= building.volumes.size() && face >= building.faces.size()) blame.whole_map = true;
+    if (defect.blamed == gmap::Blamed::Component) blame.whole_map = true;  // no inside, no outside
     return finding;
+}
+
+/// A cell at fault spoils those that it bounds: what the later constraints would say of them is the same fault. A
+/// broken link spoils the cells at both of its ends.
+void blame_incident(const Building& building, const std::vector<gmap::Defect>& defects, Blame& blame) {
+    const gmap::MapArrays& arrays = building.map.arrays();
+    std::array<std::vector<bool>, 4> at_fault;
+    for (std::size_t i = 0; i < 4; ++i) at_fault[i].assign(arrays.cell_bound[i], false);
+    const auto mark = [&](std::size_t dimension, std::size_t cell) {
+        if (cell < at_fault[dimension].size()) at_fault[dimension][cell] = true;
+    };
+    const auto blame_dart = [&](std::uint32_t d) {
+        if (const std::uint32_t f = arrays.cell_id[2][d]; f < blame.face.size()) blame.face[f] = true;
+        if (const std::uint32_t v = arrays.cell_id[3][d]; v < blame.volume.size()) blame.volume[v] = true;
+    };
+    for (const gmap::Defect& defect : defects) {
+        switch (defect.blamed) {
+            case gmap::Blamed::Vertex: mark(0, gmap::index(defect.vertex)); break;
+            case gmap::Blamed::Edge: mark(1, gmap::index(defect.edge)); break;
+            case gmap::Blamed::Face: mark(2, gmap::index(defect.face)); break;
+            case gmap::Blamed::Volume: mark(3, gmap::index(defect.volume)); break;
+            case gmap::Blamed::Component: break;
+        }
+        if (defect.code != "T1" || !building.map.contains(defect.dart)) continue;
+        const std::uint32_t d = std::uint32_t(gmap::index(defect.dart));
+        blame_dart(d);
+        for (const auto& alpha : arrays.alpha) blame_dart(alpha[d]);
+    }
+    for (std::uint32_t v = 0; v < std::min(at_fault[0].size(), blame.vertex.size()); ++v)
+        if (at_fault[0][v]) blame.vertex[v] = true;
+    std::vector<bool> in_map(building.faces.size(), false);
+    for (std::uint32_t d = 0; d < arrays.alpha[0].size(); ++d) {
+        if (arrays.alpha[0][d] == UINT32_MAX) continue;
+        if (const std::uint32_t f = arrays.cell_id[2][d]; f < in_map.size()) in_map[f] = true;
+        bool spoilt = false;
+        for (std::size_t i = 0; i < 3; ++i) spoilt = spoilt || at_fault[i][arrays.cell_id[i][d]];
+        if (spoilt) blame_dart(d);
+    }
+    // A face that goes by another's id is missing between volumes that are blamed for it.
+    for (std::uint32_t f = 0; f < in_map.size(); ++f)
+        if (!in_map[f] && (blame.volume[building.faces[f].front] || blame.volume[building.faces[f].back]))
+            blame.face[f] = true;
 }
 
 }  // namespace
@@ -42,6 +88,8 @@ void check_topology(const Building& building, Blame& blame, CheckReport& report)
         }
         report.findings.push_back(finding_of(building, defect, blame));
     }
+    if (!building.map_defects.empty()) blame_incident(building, building.map_defects, blame);
+    if (!validation.defects.empty()) blame_incident(building, validation.defects, blame);
 }
 
 }  // namespace enfilade::modeler
