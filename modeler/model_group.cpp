@@ -219,7 +219,7 @@ std::vector<accel::InputModelArray> model_group(const Building& building) {
     const gmap::MapArrays& map = building.map.arrays();
     std::vector<accel::InputModelArray> arrays;
     arrays.push_back(text_array("m.plan", building.plan_json));
-    arrays.push_back(text_array("m.meta", meta_json(building).dump()));
+    arrays.push_back(text_array("m.meta", meta_json(building).dump(-1, ' ', false, Json::error_handler_t::replace)));
     for (std::size_t i = 0; i < 4; ++i) arrays.push_back(packed("m.alpha" + std::to_string(i), map.alpha[i]));
     const char* cells[] = {"m.dart.vertex", "m.dart.edge", "m.dart.face", "m.dart.volume"};
     for (std::size_t i = 0; i < 4; ++i) arrays.push_back(packed(cells[i], map.cell_id[i]));

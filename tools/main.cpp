@@ -80,7 +80,7 @@ void add_read_flags(CLI::App* command, ReadFlags& read) {
         ->add_option("--layer", read.options.layers,
                      "drawings: read this layer only; * and ? match, and it may be given several times (all)")
         ->option_text("NAME")
-        ->expected(1);
+        ->allow_extra_args(false);
     command->add_flag("--list-layers", read.list_layers, "drawings: name the layers with what is on them, and end");
     command
         ->add_option_function<std::string>(

@@ -41,6 +41,18 @@ RoleRules rules_of(const ReadOptions& options) {
     return read_mapping(text, options.mapping.string());
 }
 
+/// What the drawing does not show is not read, unless its layer was asked for by name.
+void leave_out_hidden(Drawing& drawing, std::vector<Finding>& findings) {
+    const std::size_t texts = std::erase_if(drawing.texts, [](const DrawingText& text) { return !text.visible; });
+    const std::size_t shapes = std::erase_if(drawing.shapes, [](const Shape& shape) { return !shape.visible; });
+    if (texts + shapes == 0) return;
+    findings.push_back(finding("P728", Severity::Note,
+                               "Left out, for their layers are off or frozen: " + std::to_string(shapes) +
+                                   (shapes == 1 ? " shape, " : " shapes, ") + std::to_string(texts) +
+                                   (texts == 1 ? " text." : " texts."),
+                               "To read a layer all the same, name it (--layer); --list-layers shows them."));
+}
+
 bool is_wall(Role role) { return role == Role::Wall || role == Role::LowWall; }
 
 /// Lines along the middle of walls become walls of the thickness asked for.
@@ -119,14 +131,13 @@ double decide_unit(const Drawing& drawing, const Roles& roles, const ReadOptions
     return metres(verdict.unit);
 }
 
-void add_wall(Storey& storey, const WallRun& run, const ReadOptions& options) {
+void add_wall(Storey& storey, const WallRun& run) {
     Wall wall;
     wall.id = "wall-" + std::to_string(storey.walls.size() + 1);
     wall.start = run.start;
     wall.end = run.end;
     wall.thickness = run.thickness;
     wall.height_at_start = wall.height_at_end = std::min(run.height.value_or(storey.height), storey.height);
-    (void)options;
     for (const RunOpening& found : run.openings) {
         Opening opening;
         const char* kind = found.kind == OpeningKind::Door     ? "door-"
@@ -238,10 +249,11 @@ void report_rest(const Drawing& drawing, const Roles& roles, const WallBodies& b
 
 Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
     const RoleRules rules = rules_of(options);
-    const Drawing drawing = select(read_drawing(bytes, file_name), options.layers, options.crop, file_name);
+    Drawing drawing = select(read_drawing(bytes, file_name), options.layers, options.crop, file_name);
     Plan plan;
     plan.name = std::filesystem::path(file_name).stem().string();
     plan.findings = drawing.findings;
+    if (options.layers.empty()) leave_out_hidden(drawing, plan.findings);
     Roles roles = assign_roles(drawing, rules);
     find_wall_layer(drawing, roles, file_name, plan.findings);
     const double scale = decide_unit(drawing, roles, options, plan.findings);
@@ -266,7 +278,7 @@ Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOp
     storey.id = storey.name = "storey";
     storey.height = options.storey_height;
     for (const WallRun& run : wall_runs(bodies, strokes))
-        if (distance(run.start, run.end) > 0.02) add_wall(storey, run, options);
+        if (distance(run.start, run.end) > 0.02) add_wall(storey, run);
     for (const CurvedBody& body : bodies.curved) add_curved(storey, body);
     add_columns(storey, drawing, roles, scale);
     if (storey.walls.empty())
@@ -277,7 +289,11 @@ Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOp
                 layer_list(drawing) + '.');
     plan.storeys.push_back(std::move(storey));
     report_rest(drawing, roles, bodies, single_lines, plan.findings);
-    name_rooms(place_names(drawing, roles, scale), plan);
+    if (const std::uint32_t outside = name_rooms(place_names(drawing, roles, scale), plan); outside > 0)
+        plan.findings.push_back(finding("P729", Severity::Note,
+                                        std::to_string(outside) + (outside == 1 ? " name stands" : " names stand") +
+                                            " in no room that the walls close.",
+                                        "Close the walls around them if they are rooms."));
     return plan;
 }
 

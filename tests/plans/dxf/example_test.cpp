@@ -98,8 +98,10 @@ TEST(DrawingPage, TakesClosedShapesOfColumnLayersForColumns) {
     for (const Point corner : corners) EXPECT_NEAR(std::abs(corner.x - 1.15), 0.15, 1e-9);
 }
 
-TEST(DrawingPage, ReadsFrozenLayersLikeOthers) {
-    EXPECT_EQ(contents_of(read_dxf(room_with("", layer("A-WALL", 1)), "room.dxf")).rooms, 1u);
+TEST(DrawingPage, ReadsFrozenLayersWhereTheyAreNamed) {
+    const std::string frozen = room_with("", layer("A-WALL", 1));
+    EXPECT_THROW((void)read_dxf(frozen, "room.dxf"), InputError);
+    EXPECT_EQ(contents_of(read_dxf(frozen, "room.dxf", {.layers = {"A-WALL"}})).rooms, 1u);
 }
 
 TEST(DrawingPage, NamesRoomsByTextsOfLetters) {
