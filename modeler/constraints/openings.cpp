@@ -215,6 +215,9 @@ private:
             for (const Finding& finding : building_.findings)
                 for (const ElementRef& element : finding.elements) findings_by_element_.insert(element.id);
         if (findings_by_element_.contains(opening_->id)) return;
+        // Its volume may be one that is blamed for naming another space (S1).
+        if (std::find(blame_.volume.begin(), blame_.volume.end(), true) != blame_.volume.end())
+            return void(++report_.suppressed);
         blame(UINT32_MAX, Severity::Warning, subject() + " is not in the model: other elements take its place.",
               "Look for openings, walls or columns that overlap it, and for a ceiling below its sill.");
     }

@@ -7,9 +7,12 @@
 namespace enfilade::modeler {
 namespace {
 
-void blame_face(const Building& building, std::uint32_t face, std::string sentence, Blame& blame, CheckReport& report) {
+/// `volume`: one beside the face in the map; of a row that is wrong neither may be.
+void blame_face(const Building& building, std::uint32_t face, std::uint32_t volume, std::string sentence, Blame& blame,
+                CheckReport& report) {
     Finding finding{.code = "D2", .severity = Severity::Error, .sentence = std::move(sentence)};
     finding.hint = "The exported graph would differ from the checked model: report the plan.";
+    if (building.faces[face].direction == Direction::Up) place_at_volume(building, volume, finding);
     place_at_face(building, face, finding);
     blame.face[face] = true;
     report.findings.push_back(std::move(finding));
@@ -51,7 +54,7 @@ void check_portals(const Building& building, Blame& blame, CheckReport& report) 
         const FaceKind kind = face_kind(building, openings, face);
         if (same && joins_cells == (kind.is_portal || kind.forced.has_value())) continue;
         if (suppress(f, a, b)) continue;
-        blame_face(building, f,
+        blame_face(building, f, a,
                    same ? "A face between " + title(building.spaces[building.volumes[a].space]) + " and " +
                               title(building.spaces[building.volumes[b].space]) +
                               " is a portal in only one of graph and map."
@@ -63,7 +66,8 @@ void check_portals(const Building& building, Blame& blame, CheckReport& report) 
     for (std::uint32_t f = 0; f < building.faces.size(); ++f)
         if (!in_map[f] && face_kind(building, openings, building.faces[f]).is_portal &&
             !suppress(f, building.faces[f].front, building.faces[f].back))
-            blame_face(building, f, "A portal of the graph has no face in the map.", blame, report);
+            blame_face(building, f, building.faces[f].front, "A portal of the graph has no face in the map.", blame,
+                       report);
 }
 
 }  // namespace enfilade::modeler

@@ -10,10 +10,10 @@
 
 #include "accel/certificate.h"
 #include "accel/scene_file.h"
-#include "accel/sha256.h"
 #include "modeler/build.h"
 #include "modeler/convexify.h"
 #include "modeler/export_scene.h"
+#include "tests/support/changed_scene.h"
 #include "tests/support/small_plans.h"
 
 namespace enfilade::modeler {
@@ -22,29 +22,6 @@ namespace {
 accel::Scene scene_of(const plans::Plan& plan) {
     const Building convex = convexify(build(plan));
     return export_scene(convex, check(convex), "{}");
-}
-
-/// The scene with bytes of one array changed, and all hashes of the file made to fit: a fault that no hash shows.
-template <class Change>
-accel::Scene changed(const accel::Scene& scene, std::string_view name, Change change) {
-    std::vector<std::byte> bytes(scene.bytes().begin(), scene.bytes().end());
-    accel::FileHeader header;
-    std::memcpy(&header, bytes.data(), sizeof header);
-    for (std::uint32_t s = 0; s < header.section_count; ++s) {
-        std::byte* const row = bytes.data() + sizeof header + s * sizeof(accel::SectionEntry);
-        accel::SectionEntry entry;
-        std::memcpy(&entry, row, sizeof entry);
-        if (name != entry.name.data()) continue;
-        change(bytes.data() + entry.offset, entry.bytes);
-        entry.sha256 = accel::sha256({bytes.data() + entry.offset, entry.bytes});
-        std::memcpy(row, &entry, sizeof entry);
-    }
-    header.header_sha256 = {};
-    std::memcpy(bytes.data(), &header, sizeof header);
-    const std::size_t table = sizeof header + header.section_count * sizeof(accel::SectionEntry);
-    header.header_sha256 = accel::sha256({bytes.data(), table});
-    std::memcpy(bytes.data(), &header, sizeof header);
-    return accel::read(bytes, {.verify_hashes = true});
 }
 
 std::vector<Finding> d3_of(const Certification& certification) {
@@ -79,7 +56,7 @@ TEST(Certify, NamesTheRoomOfAFaceThatShowsAnotherSurface) {
         return scene.view().spaces[index(scene.view().source_faces[f].space)].label == Label::Room;
     };
     while (!room_sees(face) || scene.view().source_faces[face].surface != accel::Surface::WallPaper) ++face;
-    const accel::Scene other = changed(scene, "source_faces", [&](std::byte* data, std::size_t) {
+    const accel::Scene other = testing::changed(scene, "source_faces", [&](std::byte* data, std::size_t) {
         accel::SourceFace row;
         std::memcpy(&row, data + face * sizeof row, sizeof row);
         row.surface = accel::Surface::Facade;
@@ -101,7 +78,7 @@ TEST(Certify, NamesTheCellWhoseLabelDiffers) {
     const accel::Scene scene = scene_of(testing::two_rooms());
     std::uint32_t cell = 0;
     while (scene.view().cells[cell].label != Label::Door) ++cell;
-    const accel::Scene other = changed(scene, "cells", [&](std::byte* data, std::size_t) {
+    const accel::Scene other = testing::changed(scene, "cells", [&](std::byte* data, std::size_t) {
         accel::Cell row;
         std::memcpy(&row, data + cell * sizeof row, sizeof row);
         row.label = Label::Opening;
@@ -128,7 +105,7 @@ TEST(Certify, NamesTheRoomOfASectionThatMoved) {
     const Building building = convexify(build(testing::one_room()));
     accel::Scene other;
     try {
-        other = changed(scene, "section_x", [&](std::byte* data, std::size_t) {
+        other = testing::changed(scene, "section_x", [&](std::byte* data, std::size_t) {
             float x = 0;
             std::memcpy(&x, data + 4 * section, 4);
             x += float(building.frame.unit);
@@ -158,7 +135,7 @@ TEST(Certify, ACertificateOfAnotherCheckIsNone) {
 TEST(Certify, AModelThatWasChangedAfterwardsIsNotTheCertifiedOne) {
     const accel::Scene scene = scene_of(testing::one_room());
     // A name in the tables of the model: the exported scene shows it as well, another model would not.
-    const accel::Scene other = changed(scene, "m.meta", [](std::byte* data, std::size_t size) {
+    const accel::Scene other = testing::changed(scene, "m.meta", [](std::byte* data, std::size_t size) {
         char* const text = reinterpret_cast<char*>(data);
         const std::string_view all(text, size), key = "\"sagitta\":";
         const std::size_t at = all.find(key);

@@ -111,7 +111,12 @@ std::optional<InjectedFault> inject_d1(Building& building, plans::Random& random
         for (std::uint32_t k = 0; k < p.corner_count; ++k) sum += orientation(point(0), point(k), point(k + 1));
         return sum;
     };
-    const auto v = pick(building, random, [&](std::uint32_t u) { return building.volumes[u].label == Label::Room; });
+    // Whole rooms alone: pieces of one would no longer sum to it, which is G8.
+    std::vector<std::uint32_t> pieces(building.volumes.size(), 0);
+    for (const Volume& volume : building.volumes) ++pieces[volume.parent];
+    const auto v = pick(building, random, [&](std::uint32_t u) {
+        return building.volumes[u].label == Label::Room && pieces[building.volumes[u].parent] == 1;
+    });
     if (!v) return std::nullopt;
     const std::uint32_t own = building.volumes[*v].piece;
     // Where it lies nowhere over its own polygon, its node lies outside.

@@ -117,6 +117,9 @@ std::optional<InjectedFault> inject_s3(Building& building, plans::Random& random
     const auto wall = pick(building, random, [&](std::uint32_t v) {
         if (building.volumes[v].label != Label::Wall || beside_of(v, Label::Room) == beside[v].end()) return false;
         const modeler::StoreyInfo& storey = building.storeys[building.spaces[building.volumes[v].space].storey];
+        // Splinters where walls meet are nobody's wall.
+        const auto [low, high] = box_of(building, building.volumes[v].piece);
+        if (building.frame.unit * std::max(high.x - low.x, high.y - low.y) < 0.8) return false;
         if (building.convex && !is_convex(building, building.volumes[v].piece)) return false;
         if (building.volumes[v].z_low != storey.z_floor || building.volumes[v].z_high != storey.z_ceiling) return false;
         return beside_of(v, Label::Door) == beside[v].end() && beside_of(v, Label::Window) == beside[v].end() &&

@@ -1,5 +1,5 @@
 #pragma once
-// Faults of T8, S1-S6 and D1, put into a sound building: each breaks one constraint and no other. Where the building
+// Faults of T8, S1-S6, D1 and D2, put into a sound building: each breaks one constraint and no other. Where the building
 // offers no place for the fault they change nothing and return nothing.
 
 #include <optional>
@@ -33,5 +33,8 @@ std::optional<InjectedFault> inject_s6(modeler::Building& building, plans::Rando
 
 /// A volume's row names the polygon of another one.
 std::optional<InjectedFault> inject_d1(modeler::Building& building, plans::Random& random);
+
+/// A portal's row joins another volume.
+std::optional<InjectedFault> inject_d2(modeler::Building& building, plans::Random& random);
 
 }  // namespace enfilade::testing
