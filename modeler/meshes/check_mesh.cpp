@@ -25,9 +25,11 @@ public:
         if (mesh_.solids.empty()) check_body({0, std::uint32_t(mesh_.face_count()), false}, nothing, 0, 0);
         for (std::uint32_t s = 0; s < mesh_.solids.size(); ++s) {
             const MeshSolid& solid = mesh_.solids[s];
+            if (solid.shell_count == 0) report_empty(solid, 0);
             for (std::uint32_t k = 0; k < solid.shell_count; ++k) {
                 const MeshShell& shell = mesh_.shells[solid.first_shell + k];
-                check_body({shell.first_face, shell.face_count, true}, s, k, solid.composite);
+                if (shell.face_count == 0) report_empty(solid, k);
+                else check_body({shell.first_face, shell.face_count, true}, s, k, solid.composite);
             }
         }
         count_.pieces = pieces_.pieces.size();
@@ -42,6 +44,15 @@ public:
     }
 
 private:
+    void report_empty(const MeshSolid& solid, std::uint32_t shell) {
+        Finding finding{.code = "T6", .severity = Severity::Error};
+        finding.sentence =
+            solid.name + (shell == 0 ? "" : ", void " + std::to_string(shell - 1)) + " has no face at all.";
+        finding.hint = "Leave it out, or give it its faces.";
+        finding.elements.push_back({"solid", solid.object, solid.name});
+        report_.add(std::move(finding), "shells without faces");
+    }
+
     void check_body(const MeshBody& body, std::uint32_t solid, std::uint32_t shell, std::uint32_t group) {
         const CleanRings rings(body, report_);
         MeshTopology topology;

@@ -1,7 +1,6 @@
 // The pairs of triangles that cross: candidates by boxes, then CGAL's exact predicates.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -9,14 +8,13 @@
 #include <unordered_map>
 
 #include "modeler/meshes/mesh_solids.h"
+#include "modeler/meshes/near_boxes.h"
 
 namespace enfilade::modeler {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
 /// Thrown out of the search where a mesh has so many crossings that nobody would read on.
 struct TooMany {};
@@ -28,18 +26,18 @@ public:
         : mesh_(mesh), triangles_(triangles), pieces_(pieces), place_(place), touching_(touching_distance(mesh)) {}
 
     void search(std::uint32_t begin, std::uint32_t end) {
-        std::vector<Box> boxes;
-        boxes.reserve(end - begin);
+        std::vector<NearBox> boxes(end - begin);
         for (std::uint32_t t = begin; t < end; ++t) {
-            CGAL::Bbox_3 box = point(t, 0).bbox();
-            box += point(t, 1).bbox();
-            box += point(t, 2).bbox();
-            boxes.emplace_back(box, t);
+            const auto [a, b, c] = triangles_.corners[t];
+            const auto &p = mesh_.points[a], &q = mesh_.points[b], &r = mesh_.points[c];
+            for (std::size_t i = 0; i < 3; ++i) {
+                boxes[t - begin].low[i] = NearBox::below(std::min({p[i], q[i], r[i]}));
+                boxes[t - begin].high[i] = NearBox::above(std::max({p[i], q[i], r[i]}));
+            }
         }
         piercing_.clear();
         budget_ = 1000 * std::uint64_t(boxes.size()) + 10'000'000;
-        CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-                                      [&](const Box& a, const Box& b) { judge(a.info(), b.info()); });
+        NearBoxes(boxes).pairs([&](std::uint32_t a, std::uint32_t b) { judge(begin + a, begin + b); });
         keep_pairs();
     }
 

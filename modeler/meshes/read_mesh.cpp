@@ -92,7 +92,7 @@ std::span<const MeshHole> Mesh::holes_of(std::size_t f) const {
 Mesh read_mesh(std::string_view bytes, const std::string& name, const MeshOptions& options) {
     Mesh mesh = read_any(bytes, name);
     if (mesh.points.size() >= UINT32_MAX) throw InputError("P800", name, "A mesh has fewer than 2^32 vertices.");
-    if (mesh.face_count() == 0 && mesh.findings.empty())
+    if (mesh.face_count() == 0 && mesh.solids.empty() && mesh.findings.empty())
         throw InputError("P807", name, "The file has no face: there is nothing to check.");
     if (options.weld >= 0) weld(mesh, options.weld);
     return mesh;

@@ -179,6 +179,11 @@ TEST(Val3dity, E502DuplicatedSolids) {
     EXPECT_EQ(composite("[[" + box_shell(0) + "],[" + box_shell(0) + "]]", ten), Codes{"G5"});
 }
 
+TEST(Val3dity, E902EmptyPrimitive) {
+    for (const char* shells : {"[]", "[[]]"}) EXPECT_EQ(with_shells(shells, ten), Codes{"T6"}) << shells;
+    EXPECT_EQ(with_shells("[" + box_shell(0) + ",[]]", ten), Codes{"T6"});
+}
+
 TEST(Val3dity, SolidsOfDifferentObjectsAreNotCompared) {
     const std::string solid = geometry("Solid", "[" + box_shell(0) + "]");
     EXPECT_EQ(
