@@ -90,6 +90,7 @@ private:
                 if (rings.lie(f) != Lie::Upright) continue;
                 const std::uint32_t beyond = rings.volumes(f)[rings.volumes(f)[0] == v ? 1 : 0];
                 if (beyond >= building_.volumes.size() || !shows_the_circle(building_.volumes[beyond].label)) continue;
+                if (stands_on_another(v, f)) continue;
                 const Stray stray = stray_of(f, outline, sides);
                 if (stray.metres <= bound_) continue;
                 if (blame_.volume[v] || (f < blame_.face.size() && blame_.face[f])) {
@@ -100,6 +101,13 @@ private:
             }
         }
         if (worst.face != UINT32_MAX) report(space, worst);
+    }
+
+    /// Over a lower wall or column that cuts into this one its side is the cut, and has the open air beyond it.
+    [[nodiscard]] bool stands_on_another(std::uint32_t volume, std::uint32_t face) const {
+        for (const std::uint32_t v : subject_.rings.ring(face))
+            if (subject_.rings.point(v)[2] <= building_.volumes[volume].z_low) return false;
+        return true;
     }
 
     /// Where the side's own points are; the corners at its ends count where the joint left them on the circle.
