@@ -22,14 +22,15 @@ struct Probe {
     [[nodiscard]] int compare(std::size_t axis, std::int32_t value) const {
         return sign_of(from_b * (std::int64_t(a[axis]) - value) + from_a * (std::int64_t(b[axis]) - value));
     }
+    /// Twice the area of (p, q, r), seen along the third axis.
+    static std::int64_t area(const Point3& p, const Point3& q, const Point3& r, const FlatFace& face) {
+        return (std::int64_t(q[face.u]) - p[face.u]) * (std::int64_t(r[face.v]) - p[face.v]) -
+               (std::int64_t(q[face.v]) - p[face.v]) * (std::int64_t(r[face.u]) - p[face.u]);
+    }
     /// Sign of the area of (p, q, point), seen along the third axis. A product of 128 bits would not hold it where the
     /// point is a crossing: there the line ab is seen passing the edge pq in space, which is the same.
     [[nodiscard]] int side(const Point3& p, const Point3& q, const FlatFace& face) const {
-        const auto area = [&](const Point3& r) {
-            return (std::int64_t(q[face.u]) - p[face.u]) * (std::int64_t(r[face.v]) - p[face.v]) -
-                   (std::int64_t(q[face.v]) - p[face.v]) * (std::int64_t(r[face.u]) - p[face.u]);
-        };
-        if (from_a == from_b) return sign_of(Int128(area(a)) + area(b));
+        if (from_a == from_b) return sign_of(Int128(area(p, q, a, face)) + area(p, q, b, face));
         // The volume of (p, q, point, b) has the sign of the area where b lies above the plane, seen along its normal.
         const int volume = side_of(p, q, a, b);
         const int up = sign_of(face.height(b));
@@ -124,7 +125,10 @@ private:
             const Point3 &a = points_[r], &b = points_[s];
             const int a_side = Probe{a, a}.side(p, q, face), b_side = Probe{b, b}.side(p, q, face);
             const int p_side = Probe{p, p}.side(a, b, face), q_side = Probe{q, q}.side(a, b, face);
-            if (a_side * b_side < 0 && p_side * q_side < 0) return Probe{p, q}.place();
+            if (a_side * b_side < 0 && p_side * q_side < 0) {
+                const Int128 from_p = Probe::area(a, b, p, face), from_q = Probe::area(a, b, q, face);
+                return Probe{p, q, from_p < 0 ? -from_p : from_p, from_q < 0 ? -from_q : from_q}.place();
+            }
             // A corner of the face between the ends of the edge is none of them.
             if (a_side == 0 && is_between(p, q, a)) return place_of(a);
             if (b_side == 0 && is_between(p, q, b)) return place_of(b);

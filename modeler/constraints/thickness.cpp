@@ -183,7 +183,7 @@ private:
                 high = std::max(high, rings.point(rings.ring(f)[0])[2]);
             }
             const double thickness = double(high) - low;
-            if (low > high || thickness >= worst.thickness) continue;
+            if (low >= high || thickness >= worst.thickness) continue;  // without two levels: a broken map
             worst.thickness = thickness;
             where = v;
         }

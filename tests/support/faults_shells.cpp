@@ -74,6 +74,22 @@ std::array<double, 3> middle(const Building& building, const std::vector<std::ui
     return sum;
 }
 
+/// Distance of a point from the plane of a ring, in grid units, to either side.
+double height_over(const Building& building, const std::vector<std::uint32_t>& ring, const std::array<double, 3>& p) {
+    std::array<double, 3> normal = {};
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Place &a = building.vertices[ring[k]], &b = building.vertices[ring[(k + 1) % ring.size()]];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t u = (i + 1) % 3, w = (i + 2) % 3;
+            normal[i] += (double(a[u]) - b[u]) * (double(a[w]) + b[w]);
+        }
+    }
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    double height = 0;
+    for (std::size_t i = 0; i < 3; ++i) height += normal[i] / length * (p[i] - building.vertices[ring[0]][i]);
+    return height;
+}
+
 /// Convex, seen along its steepest axis: its middle lies inside.
 bool is_convex(const Building& building, const std::vector<std::uint32_t>& ring) {
     for (std::size_t u = 0; u < 3; ++u)
@@ -122,6 +138,8 @@ std::optional<InjectedFault> inject_g4(Building& building, plans::Random& random
         for (std::size_t i = 0; i < 3; ++i)
             apex[i] = std::int32_t(std::lround(to[i] + (to[i] - from[i]) * beyond / length));
         if (std::count(building.vertices.begin(), building.vertices.end(), apex) > 0) continue;
+        const std::array<double, 3> tip = {double(apex[0]), double(apex[1]), double(apex[2])};
+        if (height_over(building, goal.ring, from) * height_over(building, goal.ring, tip) > -4) continue;
         std::vector<std::uint32_t> all = oracle.faces()[base].ring;
         all.insert(all.end(), goal.ring.begin(), goal.ring.end());
         InjectedFault fault = fault_around(building, oracle, "G4", all, 1);

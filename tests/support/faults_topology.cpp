@@ -188,15 +188,20 @@ std::optional<InjectedFault> inject_t6(Building& building, plans::Random& random
         building.faces.push_back(row);
         return fault;
     }
+    const gmap::Map before = building.map;
     const auto edge = gmap::insert_edge(building.map, d, building.map.alpha<0, 1, 0>(d));
     if (!edge) return std::nullopt;
     const auto& from = building.vertices[gmap::index(building.map.vertex(edge->dart))];
     const auto& to = building.vertices[gmap::index(building.map.vertex(building.map.alpha<0>(edge->dart)))];
     std::array<std::int32_t, 3> middle;
     for (std::size_t i = 0; i < 3; ++i) middle[i] = from[i] + (to[i] - from[i]) / 2;
-    if (!gmap::insert_vertex(building.map, edge->dart)) return std::nullopt;
+    // Corners on one line may have another vertex in their middle.
+    const bool is_free = std::count(building.vertices.begin(), building.vertices.end(), middle) == 0;
+    if (!is_free || !gmap::insert_vertex(building.map, edge->dart) || !gmap::remove_edge(building.map, edge->dart)) {
+        building.map = before;
+        return std::nullopt;
+    }
     building.vertices.push_back(middle);
-    if (!gmap::remove_edge(building.map, edge->dart)) return std::nullopt;
     while (building.faces.size() < building.map.cell_bound<2>()) building.faces.push_back(row);
     return fault;
 }

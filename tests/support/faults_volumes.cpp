@@ -140,7 +140,7 @@ std::optional<InjectedFault> inject_g8(Building& building, plans::Random& random
         modeler::Corner& corner = building.corners[piece.first_corner + c];
         if (orientation(a, b, next) <= 0 || orientation(a, across, next) >= 0) continue;
         InjectedFault fault = fault_at(building, "G8", *volume);
-        fault.reach += 1;
+        fault.reach += building.frame.unit * (double(building.site_max[2]) - building.site_min[2]);  // any storey's
         building.points.push_back({std::int32_t((2 * std::int64_t(a.x) + 2 * next.x + across.x) / 5),
                                    std::int32_t((2 * std::int64_t(a.y) + 2 * next.y + across.y) / 5)});
         corner.vertex = std::uint32_t(building.points.size() - 1);
