@@ -15,8 +15,8 @@ struct DoorPaths {
 };
 
 /// Where the plan does not say which way a door opens, it opens away from corridors and from outdoors, into the
-/// smaller room, around the jamb that is nearer to an end of its wall. From 1.3 m on it has two leaves, from 2.6 m on none
-/// that swing.
+/// smaller room, around the jamb that is nearer to an end of its wall. From 1.3 m on it has two leaves, from 2.6 m on
+/// none that swing.
 [[nodiscard]] DoorPaths door_paths(const PlanView& view, const Passages& passages, std::uint32_t storey);
 
 /// Two lines along each window.
