@@ -1,6 +1,6 @@
 #pragma once
-// Faults of T8, S1-S6, D1 and D2, put into a sound building: each breaks one constraint and no other. Where the building
-// offers no place for the fault they change nothing and return nothing.
+// Faults of T8, S1-S6, D1 and D2, put into a sound building: each breaks one constraint and no other. Where the
+// building offers no place for the fault they change nothing and return nothing.
 
 #include <optional>
 
