@@ -115,13 +115,13 @@ PolygonVerdict PolygonTriangulator::State::insert(std::span<const std::array<dou
         return std::upper_bound(ring_ends.begin(), ring_ends.end(), c) - ring_ends.begin();
     };
     Triangulation::Face_handle hint;
-    for (const std::uint32_t k : order) {
-        const std::size_t before = cdt.number_of_vertices();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::uint32_t k = order[i];
         vertices[k] = cdt.insert({corners[k][0], corners[k][1]}, hint);
         hint = vertices[k]->face();
+        if (i == 0 || corners[order[i - 1]] != corners[k]) vertices[k]->info() = k;
         // A hole may touch another ring at a point: that corner is one for both.
-        if (before != cdt.number_of_vertices()) vertices[k]->info() = k;
-        else if (ring_of(vertices[k]->info()) == ring_of(k)) return {PolygonFault::Coincident, k};
+        else if (ring_of(order[i - 1]) == ring_of(k)) return {PolygonFault::Coincident, k};
     }
     if (cdt.dimension() < 2) return {PolygonFault::NoArea, 0};
     sides.clear();
