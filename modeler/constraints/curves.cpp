@@ -24,6 +24,10 @@ constexpr double rounding = 3;
 /// Sine of the angle to the circle's tangent below which a face lies along the circle, and is no jamb or joint.
 constexpr double along_circle = 0.3;
 
+/// What lies farther off both circles than this many times what is allowed, or than a quarter of the wall's thickness,
+/// is something else: a cut by another element.
+constexpr double most_stray = 5;
+
 /// One side of a curved wall, between the corners that its joints give it: those may lie off the circle.
 struct CurvedSide {
     double radius = 0;
@@ -148,6 +152,11 @@ private:
         if (length == 0 || radius == 0) return {};
         if (std::abs(plans::dot(b - a, middle - centre)) > along_circle * length * radius) return {};
         const double slack = 2 * unit / axis.length();
+        // The end of a wall may run along the circle by chance: its corners there are off the circle.
+        for (const Point p : {a, b}) {
+            const double t = axis.nearest(p), off = std::abs(plans::distance(p, centre) - axis.radius());
+            if ((t < slack || t > 1 - slack) && std::abs(off - outline.half) > bound_) return {};
+        }
         Stray least{.metres = std::numeric_limits<double>::infinity()};
         for (const CurvedSide& side : sides) {
             Stray stray{.face = face};
@@ -161,7 +170,7 @@ private:
             }
             if (stray.metres < least.metres) least = stray;
         }
-        return least;
+        return least.metres <= std::max(most_stray * bound_, outline.half / 2) ? least : Stray{};
     }
 
     void report(std::uint32_t space, const Stray& stray) {

@@ -6,10 +6,12 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 
 #include "modeler/constraints/box_pairs.h"
 #include "modeler/constraints/star_blame.h"
 #include "modeler/place.h"
+#include "plans/vector2.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -18,7 +20,8 @@ namespace {
 /// enough may come out thinner by this many units.
 const double rounding = 2 * std::sqrt(2.0);
 
-/// Metres: what is thin over less than a hand's breadth is a scrap that walls leave where they meet.
+/// Metres: what is thin over less than a hand's breadth is a scrap that walls leave where they meet. So is what is thin
+/// over less than half of a wall that is thick enough in the plan: a thicker wall has taken the rest.
 constexpr double scrap = 0.1;
 
 /// Two faces of one wall look away from each other where they are parallel, but for what rounding turns short ones by:
@@ -73,7 +76,10 @@ public:
           building_(subject.building),
           blame_(blame),
           report_(report),
-          least_(subject.options.least_thickness / subject.building.frame.unit - rounding) {}
+          least_(subject.options.least_thickness / subject.building.frame.unit - rounding) {
+        for (const plans::Storey& storey : subject.plan.storeys)
+            for (const plans::Wall& wall : storey.walls) walls_.emplace(wall.id, &wall);
+    }
 
     void run() {
         std::vector<std::vector<std::uint32_t>> walls(building_.spaces.size()), slabs(building_.spaces.size());
@@ -165,7 +171,13 @@ private:
         });
         double over = 0;
         for (const auto& [foot, length] : thin) over += length;
-        if (over * building_.frame.unit >= scrap) report(space, volumes.front(), worst);
+        if (over * building_.frame.unit >= least_length(space)) report(space, volumes.front(), worst);
+    }
+
+    [[nodiscard]] double least_length(std::uint32_t space) const {
+        const auto wall = walls_.find(building_.spaces[space].id);
+        if (wall == walls_.end() || wall->second->thickness < subject_.options.least_thickness) return scrap;
+        return std::max(scrap, plans::distance(wall->second->start, wall->second->end) / 2);
     }
 
     void check_slab(std::uint32_t space, const std::vector<std::uint32_t>& volumes) {
@@ -216,7 +228,8 @@ private:
     const Building& building_;
     Blame& blame_;
     CheckReport& report_;
-    double least_;  ///< grid units
+    double least_;                                               ///< grid units
+    std::unordered_map<std::string, const plans::Wall*> walls_;  ///< of the plan, by id
     std::vector<WallSide> sides_;
     std::vector<std::pair<plans::GridPoint, plans::GridPoint>> outline_;
     std::vector<plans::GridPoint> ring_;
