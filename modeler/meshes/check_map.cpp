@@ -1,7 +1,6 @@
 // What the kernel says of the pieces of a mesh that look sound, in terms of the mesh.
 
-#include <algorithm>
-#include <optional>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -10,25 +9,6 @@
 
 namespace enfilade::modeler {
 namespace {
-
-/// The tuples of the pieces without a fault, and the face of the map that each of their faces is.
-std::pair<gmap::CellTuples, std::vector<std::uint32_t>> sound_tuples(const MeshTopology& topology) {
-    const gmap::CellTuples& all = topology.map.tuples;
-    std::pair<gmap::CellTuples, std::vector<std::uint32_t>> result;
-    gmap::CellTuples& sound = result.first;
-    sound.vertex_count = all.vertex_count;
-    sound.volume_count = all.volume_count;
-    sound.ring_first = {0};
-    for (std::uint32_t f = 0; f < topology.map.face.size(); ++f) {
-        if (topology.faults[topology.map.piece(f)] != 0) continue;
-        sound.ring.insert(sound.ring.end(), all.ring.begin() + all.ring_first[f],
-                          all.ring.begin() + all.ring_first[f + 1]);
-        sound.ring_first.push_back(static_cast<std::uint32_t>(sound.ring.size()));
-        sound.face_volumes.push_back(all.face_volumes[f]);
-        result.second.push_back(f);
-    }
-    return result;
-}
 
 /// V - E + F of each piece, with a face of each.
 struct PieceCounts {
@@ -107,13 +87,8 @@ private:
         const std::string vertex = v == UINT32_MAX || map_.vertex[v] == UINT32_MAX
                                        ? std::string()
                                        : " at vertex " + report_.vertex(map_.vertex[v]);
-        if (defect.code == "T4" && defect.blamed == gmap::Blamed::Edge) {
-            finding.sentence = "Face " + report_.face(map_.face[f]) + " meets itself along an edge" + vertex + ".";
-            finding.hint = "Split the face, or give a hole as a ring of its own.";
-        } else {
-            finding.sentence = "The topology is not sound at face " + report_.face(map_.face[f]) + vertex + ".";
-            finding.hint = "Look at the faces around this place.";
-        }
+        finding.sentence = "The topology is not sound at face " + report_.face(map_.face[f]) + vertex + ".";
+        finding.hint = "Look at the faces around this place.";
         report_.add(std::move(finding), "places where the topology is not sound");
     }
 
@@ -123,32 +98,104 @@ private:
     std::set<std::tuple<std::string, int, std::uint32_t>> seen_;
 };
 
+/// Maps of some of the faces, validated, and translated back.
+class PartValidator {
+public:
+    PartValidator(const MeshTopology& topology, const PieceCounts& counts, MeshReport& report)
+        : map_(topology.map), report_(report), translator_(topology, counts, report) {}
+
+    void whole() {
+        judge(
+            map_.map, [](std::uint32_t f) { return f; }, [](std::uint32_t v) { return v; });
+    }
+
+    /// `faces`: of the map, whole pieces of it.
+    void part(const std::vector<std::uint32_t>& faces) {
+        if (faces.empty()) return;
+        local_.resize(map_.vertex.size(), UINT32_MAX);
+        std::vector<std::uint32_t> vertices;
+        gmap::CellTuples tuples;
+        tuples.volume_count = 0;
+        tuples.ring_first = {0};
+        std::uint32_t before = UINT32_MAX;
+        std::map<std::uint32_t, std::uint32_t> volume;  // of each piece
+        for (const std::uint32_t f : faces) {
+            for (std::uint32_t r = map_.tuples.ring_first[f]; r < map_.tuples.ring_first[f + 1]; ++r) {
+                const std::uint32_t v = map_.tuples.ring[r];
+                if (local_[v] == UINT32_MAX) local_[v] = std::uint32_t(vertices.size()), vertices.push_back(v);
+                tuples.ring.push_back(local_[v]);
+            }
+            tuples.ring_first.push_back(std::uint32_t(tuples.ring.size()));
+            if (before != map_.piece(f)) {
+                before = map_.piece(f);
+                if (volume.try_emplace(before, tuples.volume_count).second) tuples.volume_count += 2;
+            }
+            tuples.face_volumes.push_back({volume[before], volume[before] + 1});
+        }
+        tuples.vertex_count = std::uint32_t(vertices.size());
+        std::vector<gmap::Defect> refused;
+        judge(
+            gmap::build_map(tuples, refused), [&](std::uint32_t f) { return faces[f]; },
+            [&](std::uint32_t v) { return vertices[v]; });
+        for (const std::uint32_t v : vertices) local_[v] = UINT32_MAX;
+    }
+
+private:
+    template <class FaceOf, class VertexOf>
+    void judge(const gmap::Map& map, const FaceOf& face_of, const VertexOf& vertex_of) {
+        const gmap::Validation validation = gmap::validate(map);
+        report_.suppress(validation.suppressed);
+        for (const gmap::Defect& defect : validation.defects) {
+            if (defect.face == gmap::none<gmap::FaceId>) continue;
+            const bool has_vertex = defect.vertex != gmap::none<gmap::VertexId>;
+            translator_.translate(defect, face_of(static_cast<std::uint32_t>(defect.face)),
+                                  has_vertex ? vertex_of(static_cast<std::uint32_t>(defect.vertex)) : UINT32_MAX);
+        }
+    }
+
+    const MeshMap& map_;
+    MeshReport& report_;
+    Translator translator_;
+    std::vector<std::uint32_t> local_;  ///< [vertex of the map]
+};
+
+void mark_folded(MeshTopology& topology) {
+    const MeshMap& map = topology.map;
+    for (std::uint32_t e = 0; e < map.uses.size(); ++e)
+        if (map.uses[e] == 2 && map.entry_face[map.entries[e][0]] == map.entry_face[map.entries[e][1]])
+            topology.faults[map.piece(map.entry_face[map.entries[e][0]])] |= folded_piece;
+}
+
 }  // namespace
 
-void check_map(const MeshTopology& topology, MeshReport& report) {
-    const auto is_faulty = [](std::uint8_t faults) { return faults != 0; };
-    const bool all_sound = std::none_of(topology.faults.begin(), topology.faults.end(), is_faulty);
-    const bool none_sound = std::all_of(topology.faults.begin(), topology.faults.end(), is_faulty);
-    if (none_sound) return;
-    std::optional<gmap::Map> part;
-    std::vector<std::uint32_t> faces;
-    if (!all_sound) {
-        auto [tuples, kept] = sound_tuples(topology);
-        std::vector<gmap::Defect> refused;
-        part = gmap::build_map(tuples, refused);
-        faces = std::move(kept);
+void check_map(MeshTopology& topology, MeshReport& report) {
+    const MeshMap& map = topology.map;
+    mark_folded(topology);
+    const PieceCounts counts(map);
+    // The kernel looks for a defect's cells in the whole map: pieces that have one are given to it by themselves.
+    std::vector<std::uint32_t> special(map.piece_count, UINT32_MAX);
+    std::uint32_t special_count = 0;
+    bool all_plain = true;
+    for (std::uint32_t p = 0; p < map.piece_count; ++p) {
+        const bool is_special = topology.faults[p] == 0 && (counts.euler[p] != 2 || counts.faces[p] < 4);
+        if (is_special) special[p] = special_count++;
+        all_plain = all_plain && !is_special && topology.faults[p] == 0;
     }
-    const gmap::Validation validation = gmap::validate(all_sound ? topology.map.map : *part);
-    if (validation.is_sound()) return;
-    report.suppress(validation.suppressed);
-    const PieceCounts counts(topology.map);
-    Translator translator(topology, counts, report);
-    for (const gmap::Defect& defect : validation.defects) {
-        if (defect.face == gmap::none<gmap::FaceId>) continue;
-        const auto f = static_cast<std::uint32_t>(defect.face);
-        const bool has_vertex = defect.vertex != gmap::none<gmap::VertexId>;
-        translator.translate(defect, all_sound ? f : faces[f],
-                             has_vertex ? static_cast<std::uint32_t>(defect.vertex) : UINT32_MAX);
+    PartValidator validator(topology, counts, report);
+    if (all_plain) return validator.whole();
+    std::vector<std::uint32_t> plain;
+    std::vector<std::vector<std::uint32_t>> specials(special_count);
+    for (std::uint32_t f = 0; f < map.face.size(); ++f) {
+        const std::uint32_t p = map.piece(f);
+        if (topology.faults[p] != 0) continue;
+        if (special[p] == UINT32_MAX) plain.push_back(f);
+        else specials[special[p]].push_back(f);
+    }
+    validator.part(plain);
+    for (const std::vector<std::uint32_t>& faces : specials) {
+        validator.part(faces);
+        if (counts.faces[map.piece(faces.front())] >= 4) continue;
+        for (const std::uint32_t f : faces) report.blame.face[map.face[f]] = true;  // they lie on each other
     }
 }
 

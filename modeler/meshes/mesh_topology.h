@@ -9,7 +9,13 @@
 namespace enfilade::modeler {
 
 /// What is wrong with a piece; bits.
-enum PieceFault : std::uint8_t { open_piece = 1, crowded_piece = 2, pinched_piece = 4, one_sided_piece = 8 };
+enum PieceFault : std::uint8_t {
+    open_piece = 1,
+    crowded_piece = 2,
+    pinched_piece = 4,
+    one_sided_piece = 8,
+    folded_piece = 16  ///< a face meets itself along an edge: G2 says so
+};
 
 /// Faces joined by edges that have two of them. Within a patch one side can be told from the other.
 struct MeshPatches {
@@ -41,8 +47,8 @@ void check_sides(MeshTopology& topology, MeshReport& report, MeshCount& count);
 /// T5: one umbrella a vertex; one piece where the file says that this is one shell.
 void check_umbrellas(MeshTopology& topology, const MeshBody& body, MeshReport& report);
 
-/// T1-T7 by `gmap::validate`, on the pieces that nothing is said of yet: what is left are faces and shells too small
-/// (T6), faces that meet themselves (T4) and handles (T7, a note).
-void check_map(const MeshTopology& topology, MeshReport& report);
+/// T1-T7 by `gmap::validate`, on the pieces that nothing is said of yet: what is left are shells too small (T6) and
+/// handles (T7, a note).
+void check_map(MeshTopology& topology, MeshReport& report);
 
 }  // namespace enfilade::modeler
