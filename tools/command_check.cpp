@@ -55,6 +55,8 @@ Checked check_mesh(const CheckOptions& options, const Console& console) {
     Progress progress(console, {"Reading the mesh", "Checking"});
     modeler::MeshOptions mesh_options;
     if (options.weld) mesh_options.weld = *options.weld;
+    if (options.planar_distance) mesh_options.planar_distance = *options.planar_distance;
+    if (options.planar_angle_deg) mesh_options.planar_angle_deg = *options.planar_angle_deg;
     const modeler::Mesh mesh = modeler::read_mesh(options.input, mesh_options);
     progress.next();
     return {"", modeler::check_mesh(mesh, mesh_options), std::nullopt};

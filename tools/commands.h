@@ -76,7 +76,9 @@ struct CheckOptions {
     std::filesystem::path report;  ///< .html, .json or .txt; empty: none
     ReadFlags read;
     ModelOptions model;
-    std::optional<double> weld;  ///< meshes: join points this close, in the file's unit; nothing: none
+    std::optional<double> weld;              ///< meshes: join points this close, in the file's unit; nothing: none
+    std::optional<double> planar_distance;   ///< meshes: of corners from their face's plane, in the file's unit
+    std::optional<double> planar_angle_deg;  ///< meshes: within a face
     bool strict = false;
 };
 int run_check(const CheckOptions& options, const Console& console);

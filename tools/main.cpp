@@ -183,6 +183,12 @@ void add_check(CLI::App& app, Invocation& invocation, CheckOptions& options) {
     add_value(command, "--weld", options.weld, "DISTANCE",
               "meshes: join points this close, in the file's unit; 0 joins equal points (none; STL: 0)")
         ->check(CLI::NonNegativeNumber);
+    add_value(command, "--planar-distance", options.planar_distance, "DISTANCE",
+              "meshes: how far a corner may lie from the plane of its face, in the file's unit (0.01)")
+        ->check(CLI::NonNegativeNumber);
+    add_value(command, "--planar-angle-deg", options.planar_angle_deg, "DEGREES",
+              "meshes: by how much a face may be folded (20)")
+        ->check(CLI::Range(0.0, 180.0));
     add_strict(command, options.strict);
 }
 
