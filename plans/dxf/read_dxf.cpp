@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "plans/dxf/drawing.h"
+#include "plans/dxf/opening_sizes.h"
 #include "plans/dxf/role.h"
 #include "plans/dxf/room_names.h"
 #include "plans/dxf/sheet.h"
@@ -277,7 +278,9 @@ Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOp
     Storey storey;
     storey.id = storey.name = "storey";
     storey.height = options.storey_height;
-    for (const WallRun& run : wall_runs(bodies, strokes))
+    std::vector<WallRun> runs = wall_runs(bodies, strokes);
+    apply_sizes(runs, size_notes(drawing, scale));
+    for (const WallRun& run : runs)
         if (distance(run.start, run.end) > 0.02) add_wall(storey, run);
     for (const CurvedBody& body : bodies.curved) add_curved(storey, body);
     add_columns(storey, drawing, roles, scale);

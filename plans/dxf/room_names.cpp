@@ -6,6 +6,7 @@
 
 #include "plans/layout.h"
 #include "plans/read.h"
+#include "plans/sweet_home/words.h"
 
 namespace enfilade::plans {
 namespace {
@@ -26,8 +27,26 @@ constexpr std::array room_words = {
     "cocina",  "bano",       "dormitorio", "habitacion", "sala",     "comedor",  "pasillo",    "cucina",    "bagno",
     "camera",  "soggiorno",  "ingresso",   "corridoio",  "keuken",   "badkamer", "slaapkamer", "woonkamer", "gang",
     "cozinha", "banheiro",   "quarto",     "kuchnia",    "lazienka", "pokoj",    "korytarz",   "кухн",      "комнат",
-    "ванн",    "коридор",    "спальн",     "厨房",       "卫",       "卧",       "厅",         "室",
+    "ванн",    "коридор",    "спальн",     "厨房",       "卫",       "卧",       "厅",         "室",        "courtyard",
+    "hof",
 };
+
+/// Names of places that walls enclose and no roof covers.
+constexpr std::array courtyard_words = {"courtyard", "light well", "lightwell", "innenhof",    "lichthof",
+                                        "cour",      "patio",      "cortile",   "dziedziniec", "внутренний двор",
+                                        "天井",      "庭院"};
+
+std::string kind_of_room(const std::string& name) {
+    const std::string plain = folded(name);
+    for (const std::string_view word : courtyard_words) {
+        const std::size_t at = plain.find(word);
+        if (at == std::string::npos) continue;
+        const std::size_t after = at + word.size();
+        if ((at == 0 || !is_letter(plain[at - 1])) && (after == plain.size() || !is_letter(plain[after])))
+            return "courtyard";
+    }
+    return room_kind(name);
+}
 
 bool names_a_room(const std::string& text) {
     const std::string plain = folded(text);
@@ -37,17 +56,19 @@ bool names_a_room(const std::string& text) {
     });
 }
 
-/// "Bedroom 2", "W.I.C.", "WC", "书房"; not "13'8 x 14'", "2668", "GFCI 220V", "UP", "R", nor a sentence.
+/// "Bedroom 2", "Office 0.105", "Bath/WC", "W.I.C.", "WC", "书房"; not "13'8 x 14'", "2668", "GFCI 220V", "UP", "R",
+/// nor a sentence.
 bool reads_like_a_name(const std::string& text) {
+    const bool usual = names_a_room(text);
     std::size_t letters = 0, digits = 0, words = 1;
     for (const char c : text) {
         letters += is_letter(c);
         digits += c >= '0' && c <= '9';
         words += c == ' ';
-        if (c == '"' || c == '=' || c == '@' || c == '/' || c == ':' || c == '%') return false;
+        if (c == '"' || c == '=' || c == '@' || (c == '/' && !usual) || c == ':' || c == '%') return false;
     }
-    return (letters >= 3 || names_a_room(text)) && letters > 2 * digits && text.size() <= 30 && words <= 4 &&
-           !text.starts_with("www");
+    return (letters >= 3 || usual) && (usual ? letters >= digits : letters > 2 * digits) && text.size() <= 30 &&
+           words <= 4 && !text.starts_with("www");
 }
 
 struct Line {
@@ -145,12 +166,14 @@ std::vector<PlaceName> place_names(const Drawing& drawing, const Roles& roles, d
                 break;
         if (k < names.size() && names[k].text.size() + line.text.size() < 40) {
             names[k].text += ' ' + line.text;
+            names[k].certain = names[k].certain || names_a_room(names[k].text);
             last[k] = line.at;
             continue;
         }
         // The text's middle rather than its corner: names begin near walls.
         const double width = 0.35 * line.height * double(std::min<std::size_t>(line.text.size(), 12));
-        names.push_back({line.text, {line.at.x + width, line.at.y + line.height / 2}, line.height});
+        const bool certain = roles.layer[line.layer] == Role::RoomName || names_a_room(line.text);
+        names.push_back({line.text, {line.at.x + width, line.at.y + line.height / 2}, line.height, certain});
         last.push_back(line.at);
     }
     return names;
@@ -163,11 +186,11 @@ std::uint32_t name_rooms(const std::vector<PlaceName>& names, Plan& plan) {
     const Layout layout = arrange(cleaned);
     const std::vector<RoomOutline> outlines = room_outlines(layout, 0);
     std::vector<std::string> texts(outlines.size());
-    // Where any text of the sheet is a room's usual name, the others are notes.
-    const bool usual = std::any_of(names.begin(), names.end(), [](const PlaceName& n) { return names_a_room(n.text); });
+    // Where any text of the sheet is a name for certain, the others are notes.
+    const bool any_certain = std::any_of(names.begin(), names.end(), [](const PlaceName& n) { return n.certain; });
     std::uint32_t outside = 0;
     for (const PlaceName& name : names) {
-        if (usual && !names_a_room(name.text)) continue;
+        if (any_certain && !name.certain) continue;
         const auto room =
             std::find_if(outlines.begin(), outlines.end(), [&](const RoomOutline& o) { return holds(o, name.at); });
         if (room == outlines.end()) {
@@ -183,6 +206,7 @@ std::uint32_t name_rooms(const std::vector<PlaceName>& names, Plan& plan) {
         Room room;
         room.id = "room-" + std::to_string(plan.storeys[0].rooms.size() + 1);
         room.name = texts[k];
+        room.kind = kind_of_room(room.name);
         room.polygon = outlines[k].outer;
         plan.storeys[0].rooms.push_back(std::move(room));
     }

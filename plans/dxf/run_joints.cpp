@@ -67,7 +67,9 @@ void join_ends(std::vector<WallRun>& runs) {
     for (std::uint32_t k = 0; k < runs.size(); ++k)
         for (const bool at_end : {false, true}) {
             const WallRun& run = runs[k];
-            std::optional<double> best;
+            // A wall that is there goes before one that would have to be led here.
+            std::optional<Meeting> best;
+            const auto cost = [](const Meeting& m) { return std::abs(m.ahead) + 2 * m.beyond; };
             index.near(at_end ? run.end : run.start, [&](std::uint32_t o) {
                 if (o == k) return;
                 const auto met = meeting(run, at_end, runs[o]);
@@ -75,9 +77,9 @@ void join_ends(std::vector<WallRun>& runs) {
                 const double reach = runs[o].thickness / 2 / met->sine + run.thickness / 2 * (1 / met->sine - 1) + 0.06;
                 if (std::abs(met->ahead) > reach || -met->ahead > 0.6 * length_of(run)) return;
                 if (met->beyond > run.thickness / 2 / met->sine + 0.06) return;
-                if (!best || std::abs(met->ahead) < std::abs(*best)) best = met->ahead;
+                if (!best || cost(*met) < cost(*best)) best = met;
             });
-            if (best) moves.push_back({k, at_end, *best});
+            if (best) moves.push_back({k, at_end, best->ahead});
         }
     for (const Move& move : moves) {
         move_end(runs[move.run], move.at_end, move.ahead);
@@ -115,6 +117,9 @@ void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>&
                                run.thickness};
             const GapEvidence seen = gap_evidence(gap, strokes, index);
             if (!seen.fills(gap)) continue;
+            // What stands in another wall's gap leads this one nowhere.
+            if (std::all_of(seen.strokes.begin(), seen.strokes.end(), [&](std::uint32_t s) { return used[s]; }))
+                continue;
             for (const std::uint32_t s : seen.strokes) used[s] = true;
             const GapKind kind = kind_of(seen);
             // What is not drawn over is wall, but for what may be the drawing's carelessness.
@@ -124,7 +129,8 @@ void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>&
             move_end(run, at_end, *nearest);
             (at_end ? run.end_joined : run.start_joined) = true;
             const double from = dot(d, run.start);
-            run.openings.push_back({kind.kind, kind.inside, u0 - from, u1 - from, seen.sill, seen.head});
+            run.openings.push_back(
+                {kind.kind, kind.inside, u0 - from, u1 - from, seen.sill, seen.head, seen.door_arcs > 0});
             std::stable_sort(run.openings.begin(), run.openings.end(),
                              [](const RunOpening& l, const RunOpening& r) { return l.u0 < r.u0; });
         }

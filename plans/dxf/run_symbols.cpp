@@ -10,6 +10,8 @@
 namespace enfilade::plans {
 namespace {
 
+constexpr double narrowest_door = 0.4;  ///< metres: a leaf's edge that touches the wall is less
+
 struct Along {
     double u = 0;  ///< from the run's start
     double v = 0;
@@ -58,7 +60,7 @@ void place_swing(std::vector<WallRun>& runs, const std::vector<RunFrame>& frames
         }
     });
     if (!best || !is_free(runs[best->run], best->u0, best->u1)) return;
-    RunOpening opening{OpeningKind::Door, {}, best->u0, best->u1, {}, {}};
+    RunOpening opening{OpeningKind::Door, {}, best->u0, best->u1, {}, {}, true};
     if (stroke.rule) opening.sill = stroke.rule->sill, opening.head = stroke.rule->head;
     add(runs[best->run], opening);
 }
@@ -112,7 +114,8 @@ void place_symbols(std::vector<WallRun>& runs, const std::vector<SheetStroke>& s
         std::optional<WindowLine> open;
         const auto close = [&] {
             if (!open || !is_free(runs[k], open->u0, open->u1)) return;
-            RunOpening opening{open->kind, {}, open->u0, open->u1, {}, {}};
+            if (open->kind == OpeningKind::Door && open->u1 - open->u0 < narrowest_door) return;
+            RunOpening opening{open->kind, {}, open->u0, open->u1, {}, {}, false};
             if (open->rule) opening.sill = open->rule->sill, opening.head = open->rule->head;
             add(runs[k], opening);
         };

@@ -17,6 +17,7 @@ using dxf::without;
 
 constexpr double pi = std::numbers::pi;
 constexpr double same_direction = 0.4 * pi / 180;
+constexpr double same_bundle = 0.06 * pi / 180;
 constexpr double bin = 0.005;  ///< metres of wall thickness
 
 struct Segment2 {
@@ -63,31 +64,95 @@ void merge_collinear(std::vector<FaceLine>& lines, double same_line) {
     lines = std::move(merged);
 }
 
-/// Directions are grouped around the longest lines, so that short crooked ones join them and not the other way round.
-std::vector<FaceGroup> face_groups(const std::vector<Segment2>& segments, double same_line) {
-    std::vector<std::uint32_t> order(segments.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto length = [&](std::uint32_t i) { return distance(segments[i].a, segments[i].b); };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t l, std::uint32_t r) { return length(l) > length(r); });
-    std::vector<FaceGroup> groups;
-    std::vector<double> angles;
-    for (const std::uint32_t i : order) {
-        std::size_t g = 0;
-        for (; g < groups.size(); ++g) {
-            const double off = std::abs(segments[i].angle - angles[g]);
-            if (std::min(off, pi - off) < same_direction) break;
+/// A line with two others at the same distance on both sides of it: the middle of their wall, for at most of its
+/// length.
+bool is_centre_line(const std::vector<FaceLine>& lines, std::size_t k, double same_line) {
+    constexpr double thickest = 0.45;  // metres, of walls with something drawn in their middle
+    const FaceLine& line = lines[k];
+    Intervals left = {{line.u0, line.u1}};
+    std::size_t high = k + 1;
+    for (std::size_t low = k; low-- > 0 && line.v - lines[low].v < thickest / 2;) {
+        const double mirrored = 2 * line.v - lines[low].v;
+        while (high < lines.size() && lines[high].v < mirrored - same_line) ++high;
+        // Below come lines farther away, and so above.
+        for (std::size_t other = high; other < lines.size() && lines[other].v < mirrored + same_line; ++other) {
+            const Interval both = {std::max(lines[low].u0, lines[other].u0), std::min(lines[low].u1, lines[other].u1)};
+            if (both.high <= both.low || lines[low].v > line.v - same_line) continue;
+            Intervals rest;
+            for (const Interval& piece : left)
+                for (const Interval& kept : without(piece, {both})) rest.push_back(kept);
+            left = std::move(rest);
         }
-        if (g == groups.size()) {
-            angles.push_back(segments[i].angle);
-            groups.push_back({{std::cos(segments[i].angle), std::sin(segments[i].angle)}, {}});
-        }
-        const Point dir = groups[g].dir, normal = turned_left(dir);
-        const double ua = dot(dir, segments[i].a), ub = dot(dir, segments[i].b);
-        const double v = (dot(normal, segments[i].a) + dot(normal, segments[i].b)) / 2;
-        groups[g].lines.push_back({v, std::min(ua, ub), std::max(ua, ub), segments[i].height});
     }
-    for (FaceGroup& group : groups) merge_collinear(group.lines, same_line);
+    double uncovered = 0;
+    for (const Interval& piece : left) uncovered += piece.high - piece.low;
+    return uncovered < 0.3 * (line.u1 - line.u0);
+}
+
+void drop_centre_lines(std::vector<FaceLine>& lines, double same_line) {
+    std::vector<FaceLine> faces;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        if (!is_centre_line(lines, k, same_line)) faces.push_back(lines[k]);
+    lines = std::move(faces);
+}
+
+/// Lines of nearly one direction: the faces of a wall are as parallel as the drawing is exact.
+struct Bundle {
+    std::uint32_t first = 0;  ///< into segments by angle
+    std::uint32_t end = 0;
+    double angle = 0;  ///< of the longest line
+    double longest = 0;
+};
+
+/// Cut where the direction jumps, or where it has crept too far (arcs drawn as hundreds of lines). Longest first.
+std::vector<Bundle> bundles_of(const std::vector<Segment2>& segments) {
+    std::vector<Bundle> bundles;
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+        if (bundles.empty() || segments[i].angle - segments[i - 1].angle > same_bundle ||
+            segments[i].angle - segments[bundles.back().first].angle > same_direction / 2)
+            bundles.push_back({i, i, 0, -1});
+        Bundle& bundle = bundles.back();
+        bundle.end = i + 1;
+        const double length = distance(segments[i].a, segments[i].b);
+        if (length > bundle.longest) bundle.longest = length, bundle.angle = segments[i].angle;
+    }
+    std::stable_sort(bundles.begin(), bundles.end(),
+                     [](const Bundle& l, const Bundle& r) { return l.longest > r.longest; });
+    return bundles;
+}
+
+/// Directions are grouped around the longest lines, so that short crooked ones join them and not the other way round.
+/// Bundles join whole, each the nearest group: the two faces of a wall never part.
+std::vector<FaceGroup> face_groups(const std::vector<Segment2>& segments, double same_line) {
+    const std::vector<Bundle> bundles = bundles_of(segments);
+    std::vector<FaceGroup> groups;  // 450 at most
+    std::vector<double> angles;
+    const auto off = [&](const Bundle& bundle, std::size_t g) {
+        const double between = std::abs(bundle.angle - angles[g]);
+        return std::min(between, pi - between);
+    };
+    for (const Bundle& bundle : bundles) {
+        std::size_t g = 0;
+        while (g < groups.size() && off(bundle, g) >= same_direction) ++g;
+        if (g < groups.size()) continue;
+        angles.push_back(bundle.angle);
+        groups.push_back({{std::cos(bundle.angle), std::sin(bundle.angle)}, {}});
+    }
+    for (const Bundle& bundle : bundles) {
+        std::size_t nearest = 0;
+        for (std::size_t g = 1; g < groups.size(); ++g)
+            if (off(bundle, g) < off(bundle, nearest)) nearest = g;
+        const Point dir = groups[nearest].dir, normal = turned_left(dir);
+        for (std::uint32_t i = bundle.first; i < bundle.end; ++i) {
+            const double ua = dot(dir, segments[i].a), ub = dot(dir, segments[i].b);
+            const double v = (dot(normal, segments[i].a) + dot(normal, segments[i].b)) / 2;
+            groups[nearest].lines.push_back({v, std::min(ua, ub), std::max(ua, ub), segments[i].height});
+        }
+    }
+    for (FaceGroup& group : groups) {
+        merge_collinear(group.lines, same_line);
+        drop_centre_lines(group.lines, same_line);
+    }
     return groups;
 }
 
@@ -153,6 +218,8 @@ void pair_straight(WallBodies& bodies, const PairLimits& limits) {
         const double t = b.v - a.v;
         for (const Interval& free : without({std::max(a.u0, b.u0), std::min(a.u1, b.u1)}, both)) {
             if (free.high - free.low < std::max(0.03, 0.3 * t)) continue;
+            // Shorter than thick: a stub, if walls are that thick, else a jamb across from some other wall's face.
+            if (free.high - free.low < t && weight[std::size_t(t / bin) + 1] < 0.01 * heaviest) continue;
             const std::optional<double> height = a.height ? a.height : b.height;
             bodies.straight.push_back({pair.group, (a.v + b.v) / 2, free.low, free.high, t, height});
             taken_a.push_back(free);

@@ -61,6 +61,8 @@ public:
     std::vector<WallRun> make() {
         std::vector<WallRun> runs;
         for (const std::vector<WallBody>& axis : axes()) follow(axis, runs);
+        // Twice: an end may lie on the axis of a wall that is led up to it.
+        join_ends(runs);
         join_ends(runs);
         bridge_to_walls(runs, strokes_, index_, used_, limits_);
         join_ends(runs);
@@ -183,8 +185,8 @@ private:
         WallRun run{dir * u0 + at, dir * reached + at, thickness / weight, axis[first].height, {}};
         for (std::size_t k = 0; k < gaps.size(); ++k) {
             const GapKind kind = kind_of(evidence[k]);
-            run.openings.push_back(
-                {kind.kind, kind.inside, gaps[k].u0 - u0, gaps[k].u1 - u0, evidence[k].sill, evidence[k].head});
+            run.openings.push_back({kind.kind, kind.inside, gaps[k].u0 - u0, gaps[k].u1 - u0, evidence[k].sill,
+                                    evidence[k].head, evidence[k].door_arcs > 0});
         }
         runs.push_back(std::move(run));
     }

@@ -15,6 +15,7 @@ struct RunOpening {
     double u1 = 0;
     std::optional<double> sill;
     std::optional<double> head;
+    bool swings = false;  ///< a door's swing is drawn
 };
 
 /// A straight wall by its axis.

@@ -15,7 +15,8 @@ struct SheetNames {
     const char* wall = "A-WALL";
     const char* door = "A-DOOR";
     const char* window = "A-GLAZ";
-    double scale = 1000;  ///< units of the drawing in a metre
+    const char* text = nullptr;  ///< where names of rooms stand; null: none are written
+    double scale = 1000;         ///< units of the drawing in a metre
     int insunits = 4;
 };
 
@@ -57,16 +58,32 @@ inline std::string symbol(const Opening& opening, const Wall& wall, const SheetN
         return text;
     }
     if (opening.kind == OpeningKind::Opening) return "";
-    // Hinge at the start, the leaf drawn open to the left.
-    const Point hinge = at(opening.offset - half, t), shut = at(opening.offset + half, t);
-    const Point open = at(opening.offset - half, t + opening.width);
-    const double from = std::atan2(shut.y - hinge.y, shut.x - hinge.x) * 180 / 3.14159265358979323846;
-    return line(hinge.x, hinge.y, open.x, open.y, names.door) + entity("ARC", {{8, names.door},
-                                                                               {10, hinge.x},
-                                                                               {20, hinge.y},
-                                                                               {40, opening.width * names.scale},
-                                                                               {50, from},
-                                                                               {51, from + 90}});
+    // Leaves are drawn open to the left: one with its hinge at the start, of wide doors two.
+    const auto leaf = [&](double hinge_at, double shut_at) {
+        const double width = std::abs(shut_at - hinge_at);
+        const Point hinge = at(hinge_at, t), shut = at(shut_at, t), open = at(hinge_at, t + width);
+        const Point first = shut_at > hinge_at ? shut : open;
+        const double from = std::atan2(first.y - hinge.y, first.x - hinge.x) * 180 / 3.14159265358979323846;
+        return line(hinge.x, hinge.y, open.x, open.y, names.door) + entity("ARC", {{8, names.door},
+                                                                                   {10, hinge.x},
+                                                                                   {20, hinge.y},
+                                                                                   {40, width * names.scale},
+                                                                                   {50, from},
+                                                                                   {51, from + 90}});
+    };
+    const double low = opening.offset - half, high = opening.offset + half;
+    return opening.width <= 1.3 ? leaf(low, high) : leaf(low, opening.offset) + leaf(high, opening.offset);
+}
+
+/// The name of each room in the middle of its polygon.
+inline std::string room_texts(const Storey& storey, const SheetNames& names) {
+    std::string text;
+    for (const Room& room : storey.rooms) {
+        Point middle{0, 0};
+        for (const Point p : room.polygon) middle = middle + p * (names.scale / double(room.polygon.size()));
+        text += entity("TEXT", {{8, names.text}, {10, middle.x}, {20, middle.y}, {40, 100}, {1, room.name}});
+    }
+    return text;
 }
 
 /// The first storey of a plan of straight walls.
@@ -77,6 +94,7 @@ inline std::string sheet_of(const Plan& plan, const SheetNames& names = {}) {
     for (const Opening& opening : cleaned.storeys[0].openings)
         for (const Wall& wall : cleaned.storeys[0].walls)
             if (wall.id == opening.wall) text += symbol(opening, wall, names);
+    if (names.text != nullptr) text += room_texts(cleaned.storeys[0], names);
     return File{text, {}, pairs({{9, "$INSUNITS"}, {70, names.insunits}})}.text();
 }
 

@@ -80,6 +80,40 @@ TEST(WallBodies, OfThreeLinesTheUsualThicknessIsTheWall) {
     EXPECT_EQ(straight(among), (Axes{{{0, 0.175}, {5, 0.175}, 0.15}, {{0, 10.075}, {20, 10.075}, 0.15}}));
 }
 
+TEST(WallBodies, ALineInTheMiddleOfAWallIsNoFace) {
+    EXPECT_EQ(straight(faces({0, 0}, {5, 0.25}) + Strokes{stroke({0.2, 0.125}, {5.2, 0.125})}),
+              (Axes{{{0, 0.125}, {5, 0.125}, 0.25}}));
+    // For less than its length it may be one all the same.
+    const Strokes longer = faces({0, 0}, {5, 0.25}) + Strokes{stroke({0, 0.125}, {12, 0.125})};
+    EXPECT_EQ(bodies_of(longer).groups[0].lines.size(), 3u);
+}
+
+TEST(WallBodies, TheFacesOfOneWallStayInOneGroup) {
+    // Lines of other directions around them, 0.1 degrees from each other: wherever the groups fall, pairs do not part.
+    for (int k = 0; k < 40; ++k) {
+        Strokes strokes;
+        const auto wall_at = [&](double degrees, double y, double length) {
+            const double a = degrees * std::acos(-1.0) / 180;
+            const Point d{std::cos(a), std::sin(a)}, n = turned_left(d), at{0, y};
+            // The second face is askew by a rounding of coordinates.
+            strokes.push_back(stroke(at, at + d * length));
+            strokes.push_back(stroke(at + n * 0.2, at + n * 0.2 + d * (length * 0.8) + n * 0.0001));
+        };
+        wall_at(10, 0, 9);
+        wall_at(10.7, 20, 8);
+        wall_at(10 + 0.0175 * k, 40, 2);
+        EXPECT_EQ(straight(strokes).size(), 3u) << k;
+    }
+}
+
+TEST(WallBodies, AJambAcrossFromTheFaceOfAnotherWallIsNoWall) {
+    // A wall of 20 cm along y, and one of 16 that leaves it and ends at a door 0.33 m away.
+    const Strokes strokes = {stroke({-0.1, 0}, {-0.1, 6}),       stroke({0.1, 0}, {0.1, 3}),
+                             stroke({0.1, 3.16}, {0.1, 6}),      stroke({0.1, 3}, {0.432, 3}),
+                             stroke({0.1, 3.16}, {0.432, 3.16}), stroke({0.432, 3}, {0.432, 3.16})};
+    for (const WallBody& body : bodies_of(strokes).straight) EXPECT_LT(body.thickness, 0.25);
+}
+
 TEST(WallBodies, TwoWallsSideBySideLeaveTheSpaceBetween) {
     // Their faces towards each other are 0.3 m apart: a wall's distance too.
     EXPECT_EQ(straight(faces({0, 0}, {5, 0.1}) + faces({0, 0.4}, {5, 0.5})),

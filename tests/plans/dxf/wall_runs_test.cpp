@@ -209,6 +209,16 @@ TEST(WallRuns, ADoorLeadsTheWallToTheNextOne) {
     EXPECT_EQ(openings_along(runs), (Found{"door 3.00-3.90"}));
 }
 
+TEST(WallRuns, TheWindowOfAnotherWallLeadsNoWallIntoIt) {
+    // A thin wall comes up to a corner of thick ones, whose window is on its axis.
+    const Strokes strokes = faces({0, 0}, {1, 0.3}) + faces({2.5, 0}, {4, 0.3}) + faces({3.7, 0.3}, {4, 4}) +
+                            Strokes{stroke({4, 0}, {4, 0.3}), stroke({0, 0}, {0, 0.3})} +
+                            faces({1, 0.1}, {2.5, 0.2}, Role::Window) + faces({4.2, 0.075}, {7, 0.225});
+    std::size_t windows = 0;
+    for (const WallRun& run : runs_of(strokes)) windows += run.openings.size();
+    EXPECT_EQ(windows, 1u);
+}
+
 TEST(WallRuns, NothingDrawnLeadsTheWallNowhere) {
     EXPECT_EQ(axes_of(runs_of(wall_towards_another())), (Axes{{{0, 0.1}, {3, 0.1}, 0.2}, {{4, -3}, {4, 3}, 0.2}}));
 }
