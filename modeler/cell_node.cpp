@@ -39,6 +39,18 @@ double depth(std::span<const GridPoint> ring, std::array<double, 2> point) {
     return inside ? nearest : -nearest;
 }
 
+/// Half of the radius of the circle with the same share of area and perimeter. (In a convex ring the centroid is deeper
+/// than half of this.)
+double mean_depth(std::span<const GridPoint> ring) {
+    double area = 0, perimeter = 0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const GridPoint a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+        area += double(orientation(ring[0], a, b)) / 2;
+        perimeter += std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+    }
+    return perimeter > 0 ? std::abs(area) / perimeter : 0;
+}
+
 struct Chord {
     double x = 0, y = 0;
     double room = 0;  ///< the lesser of its length and of the height in which it is clear of corners
@@ -66,7 +78,7 @@ constexpr std::size_t most_chords = 16;
 
 std::array<double, 2> inner_point(std::span<const GridPoint> ring) {
     const std::array<double, 2> centre = centroid(ring);
-    if (depth(ring, centre) > 0.25) return centre;
+    if (depth(ring, centre) >= std::max(0.25, mean_depth(ring) / 2)) return centre;
     std::vector<std::int32_t> levels;
     for (const GridPoint p : ring) levels.push_back(p.y);
     std::sort(levels.begin(), levels.end());

@@ -9,7 +9,7 @@
 
 namespace enfilade::modeler {
 
-/// A point inside a simple ring of either direction, in grid units: the centroid where it is clearly inside (always for
+/// A point inside a simple ring of either direction, in grid units: the centroid where it is well inside (always for
 /// convex rings), else the middle of the widest of some horizontal chords. Strictly inside where the ring has area.
 /// Cost: corners times the logarithm of the corners, times 16 where the centroid is outside.
 [[nodiscard]] std::array<double, 2> inner_point(std::span<const plans::GridPoint> ring);

@@ -257,6 +257,7 @@ private:
             const std::uint32_t source = std::uint32_t(input_.source_faces.size()), begin = key.start;
             runs_[r].source = source;
             for (Place next = follower(key, end); next.run != no_index; next = follower(key, end)) {
+                if (runs_[next.run].source != no_index) refuse("its faces run in circles");
                 runs_[next.run].source = source;
                 key.start = std::exchange(end, next.end);
             }
@@ -296,9 +297,10 @@ private:
 
     /// The corner of a cell from which a half-edge leaves.
     [[nodiscard]] std::uint32_t corner_leaving(std::uint32_t cell, std::uint32_t half_edge) const {
-        std::uint32_t k = 0;
-        while (corner_of(cell, k).half_edge != half_edge) ++k;
-        return k;
+        const std::uint32_t count = piece_of(cell).corner_count;
+        for (std::uint32_t k = 0; k < count; ++k)
+            if (corner_of(cell, k).half_edge == half_edge) return k;
+        refuse("a portal is no side of the cell behind it");  // tables of a file may say so
     }
 
     /// Side k goes on where side k - 1 ends, as one section, where both look alike and so they do from behind each of

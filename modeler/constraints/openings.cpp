@@ -75,10 +75,10 @@ private:
             ++report_.suppressed;
             return;
         }
-        // Short thick walls, and tight arcs, are mostly joints and have no clear inside: they are cut at an angle.
+        // Short thick walls are mostly joints, which are cut at an angle; the strip of a tight arc folds over.
         const double thickness = storey_->walls[wall_].thickness;
-        const bool is_stub = axis.length() < 2 * thickness || (!axis.straight() && axis.radius() < thickness);
-        const double joints = is_stub ? thickness : 0;
+        const bool is_folded = !axis.straight() && axis.radius() < thickness;
+        const double joints = is_folded ? HUGE_VAL : axis.length() < 2 * thickness ? thickness : 0;
         if (around.farthest > tolerance_ + joints)
             return blame(*space, Severity::Error,
                          subject() + " lies " + millimetres(around.farthest) + " away from its place in the wall.",

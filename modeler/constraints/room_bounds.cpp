@@ -79,21 +79,22 @@ private:
         return !fills_wall(k, volume) && !fills_wall(k, other);
     }
 
-    /// Whether the face lies at a polygon of the plan that is open to the sky, and the air behind it is no wall's
-    /// place.
+    /// Whether the storey has polygons that are open to the sky, the face lies at a side of some polygon, and the plan
+    /// has no wall there: the polygons part a courtyard from a room without one.
     [[nodiscard]] bool is_open_place(std::uint32_t k, const MapFace& face) {
-        constexpr double reach = 0.25;  // as far as polygons lie from the places that they name
+        constexpr double reach = 0.25;  // metres: polygons lie that far from the places that they name
         if (k >= building_.storeys.size() || !spaces_.storey(k) || !face.upright()) return false;
+        const std::vector<plans::Room>& rooms = spaces_.storey(k)->rooms;
+        const bool has_open = std::any_of(rooms.begin(), rooms.end(), [](const plans::Room& room) {
+            return room.kind == "courtyard" || room.kind == "terrace";
+        });
+        if (!has_open || is_wall_behind(k, face)) return false;
         const auto at = middle(building_, face);
-        if (is_wall_behind(k, face)) return false;
-        for (const plans::Room& room : spaces_.storey(k)->rooms) {
-            if (room.kind != "courtyard" && room.kind != "terrace") continue;
-            if (holds(room.polygon, {at[0], at[1]})) return true;
+        for (const plans::Room& room : rooms)
             for (std::size_t i = 0; i < room.polygon.size(); ++i)
                 if (plans::distance({at[0], at[1]}, room.polygon[i], room.polygon[(i + 1) % room.polygon.size()]) <=
                     reach)
                     return true;
-        }
         return false;
     }
 
@@ -108,7 +109,7 @@ private:
     /// Whether the plan has a wall where the volume is. Where walls end beside each other, small parts of their strips
     /// stay open: these are no wall.
     [[nodiscard]] bool fills_wall(std::uint32_t k, std::uint32_t volume) {
-        constexpr double deep = 0.01, least_area = 0.02;
+        constexpr double deep = 0.001, least_area = 0.02;  // metres, square metres
         double units2 = 0;
         for (const std::uint32_t f : faces_.of_volume(volume))
             if (faces_[f].level() && faces_[f].z_low == building_.volumes[volume].z_low)

@@ -10,6 +10,7 @@
 
 #include "accel/certificate.h"
 #include "accel/scene_file.h"
+#include "base/error.h"
 #include "modeler/build.h"
 #include "modeler/convexify.h"
 #include "modeler/export_scene.h"
@@ -130,6 +131,25 @@ TEST(Certify, ACertificateOfAnotherCheckIsNone) {
     const auto found = d3_of(certification);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NE(found[0].sentence.find("counts 1 finding of G5"), std::string::npos) << found[0].sentence;
+}
+
+/// Its sides would be looked for without end.
+TEST(Certify, RefusesAModelWhoseCornersNameOtherEdges) {
+    const accel::Scene scene = scene_of(testing::two_rooms());
+    const Building building = convexify(build(testing::two_rooms()));
+    std::uint32_t refused = 0;
+    for (std::uint32_t corner = 0; corner < building.corners.size(); ++corner) {
+        const accel::Scene other = testing::changed(scene, "m.corners", [&](std::byte* data, std::size_t) {
+            // Rows of vertex, half-edge, line; the half-edge is turned round.
+            data[12 * corner + 4] ^= std::byte{1};
+        });
+        try {
+            EXPECT_NE(certify(other).verdict, "certified") << corner;
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 0u);
 }
 
 TEST(Certify, AModelThatWasChangedAfterwardsIsNotTheCertifiedOne) {

@@ -28,6 +28,12 @@ std::uint32_t campaign_size() {
     return size > 0 ? std::uint32_t(size) : 5;
 }
 
+/// Another series of buildings and faults: what was mended on one is measured on another.
+std::uint64_t campaign_series() {
+    const char* const asked = std::getenv("ENFILADE_CAMPAIGN_SERIES");
+    return asked ? std::strtoull(asked, nullptr, 10) : 0;
+}
+
 struct FaultKind {
     const char* code;
     std::optional<InjectedFault> (*inject)(Building&, plans::Random&);
@@ -40,7 +46,7 @@ TEST_P(Campaign, FindsEveryFaultAndNothingElse) {
     const std::uint32_t wanted = campaign_size();
     std::uint32_t injected = 0, found = 0, other = 0, out_of_place = 0, several = 0, shown = 0;
     for (std::uint64_t seed = 0; injected < wanted && seed < 20ull * wanted; ++seed) {
-        plans::Random random{0xCA4, std::uint64_t(code[0]), std::uint64_t(code[1]), seed};
+        plans::Random random{0xCA4, std::uint64_t(code[0]), std::uint64_t(code[1]), seed, campaign_series()};
         Building building = testing::random_building(random);
         const std::optional<InjectedFault> fault = inject(building, random);
         if (!fault) continue;
@@ -78,9 +84,9 @@ INSTANTIATE_TEST_SUITE_P(Faults, Campaign,
 /// One bit of one array of a scene that was checked; all hashes of the file fit again, but not the certificate's.
 TEST(ChangedScenes, AreRefusedOrDifferFromTheirModel) {
     const std::uint32_t wanted = campaign_size();
-    std::uint32_t refused = 0, found = 0, other = 0;
+    std::uint32_t refused = 0, found = 0, other = 0, several = 0;
     for (std::uint64_t seed = 0; seed < wanted; ++seed) {
-        plans::Random random{0xD3, seed};
+        plans::Random random{0xD3, seed, campaign_series()};
         const Building convex = convexify(build(testing::random_office(random)));
         const accel::Scene scene = export_scene(convex, check(convex), "{}");
         std::vector<accel::SceneArray> arrays;
@@ -94,7 +100,8 @@ TEST(ChangedScenes, AreRefusedOrDifferFromTheirModel) {
                 certify(testing::changed(scene, array.name, [&](std::byte* data, std::size_t) { data[at] ^= flip; }));
             std::uint32_t d3 = 0;
             for (const Finding& finding : certification.report->findings) d3 += finding.code == "D3";
-            found += d3 == 1;
+            found += d3 > 0;
+            several += d3 > 1;
             // A change of the model is a fault of its own besides; one of the scene is D3 alone.
             const bool alone = d3 == std::size_t(std::count_if(
                                          certification.report->findings.begin(), certification.report->findings.end(),
@@ -109,14 +116,14 @@ TEST(ChangedScenes, AreRefusedOrDifferFromTheirModel) {
     EXPECT_EQ(refused + found, wanted);
     EXPECT_EQ(other, 0u);
     std::cout << "campaign | D3 | " << wanted << " | " << found << " and " << refused << " refused | " << other
-              << " | 0 | 0 |\n";
+              << " | not measured | " << several << " |\n";
 }
 
 TEST(SoundBuildings, HaveNoFindings) {
     const std::uint32_t count = campaign_size();
     std::uint32_t alarms = 0;
     for (std::uint64_t seed = 0; seed < count; ++seed) {
-        plans::Random random{0x50D, seed};
+        plans::Random random{0x50D, seed, campaign_series()};
         const CheckReport report = check(testing::random_building(random));
         std::string text;
         for (const Finding& finding : report.findings)

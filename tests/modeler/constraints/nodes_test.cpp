@@ -40,6 +40,16 @@ TEST(Nodes, OfALLieInOneOfItsArms) {
     EXPECT_TRUE(is_strictly_inside(l, inner_point(back)));
 }
 
+TEST(Nodes, OfACrescentIsNotAtItsEdge) {
+    std::vector<GridPoint> crescent;
+    for (int x = 0; x <= 1000; x += 100) crescent.push_back({x, x * (1000 - x) / 2500});
+    for (int x = 1000; x >= 0; x -= 100) crescent.push_back({x, x * (1000 - x) / 2500 + 70});
+    const auto node = inner_point(crescent);
+    EXPECT_TRUE(is_strictly_inside(crescent, node));
+    EXPECT_TRUE(is_strictly_inside(crescent, {node[0], node[1] + 8}));
+    EXPECT_TRUE(is_strictly_inside(crescent, {node[0], node[1] - 8}));
+}
+
 TEST(Nodes, OfSliversAreInside) {
     const std::vector<GridPoint> sliver = {{0, 0}, {100000, 1}, {50000, 1}};
     EXPECT_TRUE(is_strictly_inside(sliver, inner_point(sliver)));
