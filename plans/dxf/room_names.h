@@ -22,8 +22,9 @@ struct PlaceName {
 /// each other are one name. Texts on layers for names alone, where there are such.
 [[nodiscard]] std::vector<PlaceName> place_names(const Drawing& drawing, const Roles& roles, double scale);
 
-/// Texts that are not certain name rooms only where no text is. Finds the rooms of a storey (by arranging it) and gives it a room polygon for each that holds a name. Several
-/// names in one room are joined by " / ". Returns how many names stand in no room.
+/// Texts that are not certain name rooms only where no text is. Finds the rooms of a storey (by arranging it) and gives
+/// it a room polygon for each that holds a name. Several names in one room are joined by " / ". Returns how many names
+/// stand in no room.
 std::uint32_t name_rooms(const std::vector<PlaceName>& names, Plan& plan);
 
 }  // namespace enfilade::plans
