@@ -77,8 +77,7 @@ private:
         }
         // Short thick walls are mostly joints, which are cut at an angle; the strip of a tight arc folds over.
         const double thickness = storey_->walls[wall_].thickness;
-        const bool is_folded = !axis.straight() && axis.radius() < thickness;
-        const double joints = is_folded ? HUGE_VAL : axis.length() < 2 * thickness ? thickness : 0;
+        const double joints = is_folded(axis) ? HUGE_VAL : is_stub(axis) ? thickness : 0;
         if (around.farthest > tolerance_ + joints)
             return blame(*space, Severity::Error,
                          subject() + " lies " + millimetres(around.farthest) + " away from its place in the wall.",
@@ -147,7 +146,8 @@ private:
         const plans::Wall& wall = storey_->walls[wall_];
         const auto is_host = [&](double along) {
             const double t = (opening_->offset + along) / axis.length();
-            return t > 0 && t < 1 && !bodies().at(axis.at(t), tolerance_, wall_) && !in_other_opening(t);
+            return t > 0 && t < 1 && !bodies().at(axis.at(t), {.grown = tolerance_, .except = wall_}) &&
+                   !in_other_opening(t);
         };
         const double end = opening_->width / 2;
         for (const double side : {-1.0, 1.0})
@@ -166,16 +166,20 @@ private:
     /// The walls of the plan that close one side of the opening for all its width; nothing where any of it is free.
     [[nodiscard]] std::optional<std::uint32_t> wall_before(const plans::WallAxis& axis, int side) {
         constexpr int samples = 8;
-        constexpr double step = 0.01;
         const double depth =
-            storey_->walls[wall_].thickness / 2 + step + (side > 0 ? opening_->depth_left : opening_->depth_right);
-        std::optional<std::uint32_t> found;
-        for (int k = 0; k < samples; ++k) {
-            const double along = opening_->offset + opening_->width * ((k + 0.5) / samples - 0.5);
-            found = bodies().at(axis.offset(along / axis.length(), side * depth), wall_);
-            if (!found) return std::nullopt;
+            storey_->walls[wall_].thickness / 2 + (side > 0 ? opening_->depth_left : opening_->depth_right);
+        // Right at its mouth, and at some distance: a wall may stand anywhere before it.
+        for (const double step : {0.0, 0.01}) {
+            std::optional<std::uint32_t> found;
+            for (int k = 0; k < samples; ++k) {
+                const double along = opening_->offset + opening_->width * ((k + 0.5) / samples - 0.5);
+                const plans::Point before = axis.offset(along / axis.length(), side * (depth + step));
+                found = bodies().at(before, {.grown = tolerance_, .except = wall_});
+                if (!found) break;
+            }
+            if (found) return found;
         }
-        return found;
+        return std::nullopt;
     }
 
     void check_sides(std::uint32_t space, const plans::WallAxis& axis, const Surroundings& around) {
@@ -185,12 +189,14 @@ private:
                 return blame(space, Severity::Warning, subject() + " opens against the ground and leads nowhere.",
                              "Check the elevation of its storey, and the ground level of the plan.");
             const auto wall = wall_before(axis, side);
+            // Of stubs and tight arcs it is not clear what their sides are.
+            const bool is_doubtful = wall || fills_gaps() || opening_->width < slit || is_stub(axis) || is_folded(axis);
             if (wall && *wall < storey_->walls.size())
                 blame(space, Severity::Warning,
                       subject() + " opens against wall \"" + storey_->walls[*wall].id + "\" and leads nowhere.",
                       "Move the opening or the wall in front of it.");
             else
-                blame(space, wall || fills_gaps() || opening_->width < slit ? Severity::Warning : Severity::Error,
+                blame(space, is_doubtful ? Severity::Warning : Severity::Error,
                       subject() + " leads nowhere: one of its sides is closed" + (wall ? " by a column." : "."),
                       "Look for walls, columns or gaps filled in front of it.");
             return;
@@ -200,6 +206,13 @@ private:
         blame(space, Severity::Warning,
               subject() + " has " + title(building_.spaces[left.front()]) + " on both of its sides.",
               "Check that a wall is not missing beside it.");
+    }
+
+    [[nodiscard]] bool is_folded(const plans::WallAxis& axis) const {
+        return !axis.straight() && axis.radius() < storey_->walls[wall_].thickness;
+    }
+    [[nodiscard]] bool is_stub(const plans::WallAxis& axis) const {
+        return axis.length() < 2 * storey_->walls[wall_].thickness;
     }
 
     /// Whether the plan's stages filled gaps between walls of this storey (P320, P321).

@@ -103,7 +103,7 @@ private:
         constexpr double step = 0.01;
         const plans::Point a = world(face.feet[0]), b = world(face.feet[1]), middle = (a + b) * 0.5;
         const plans::Point normal = plans::turned_left(b - a) * (step / plans::norm(b - a));
-        return bodies(k).at(middle + normal, 0) || bodies(k).at(middle - normal, 0);
+        return bodies(k).at(middle + normal) || bodies(k).at(middle - normal);
     }
 
     /// Whether the plan has a wall where the volume is. Where walls end beside each other, small parts of their strips
@@ -116,7 +116,7 @@ private:
                 units2 += double(area2(building_, faces_[f]));
         if (units2 / 2 * building_.frame.unit * building_.frame.unit < least_area) return false;
         const auto node = cell_node(building_, volume);
-        return bodies(k).at({node[0], node[1]}, -deep).has_value();
+        return bodies(k).at({node[0], node[1]}, {.grown = -deep}).has_value();
     }
 
     [[nodiscard]] plans::Point world(plans::GridPoint p) const {

@@ -50,13 +50,13 @@ plans::WallAxis axis_of(const plans::Wall& wall) {
 WallBodies::WallBodies(const plans::Storey& storey)
     : storey_(storey), axes_(axes_of(storey)), index_(boxes_of(storey, axes_)) {}
 
-std::optional<std::uint32_t> WallBodies::at(plans::Point point, double grown, std::uint32_t except) const {
+std::optional<std::uint32_t> WallBodies::at(plans::Point point, const BodySearch& search) const {
     std::optional<std::uint32_t> found;
     index_.near(point, [&](std::uint32_t i) {
-        if (found || i == except) return;
+        if (found || i == search.except) return;
         if (i >= axes_.size()) {
             if (holds(storey_.columns[i - axes_.size()].polygon, point)) found = i;
-        } else if (holds(axes_[i], storey_.walls[i].thickness / 2 + grown, point)) {
+        } else if (holds(axes_[i], storey_.walls[i].thickness / 2 + search.grown, point)) {
             found = i;
         }
     });

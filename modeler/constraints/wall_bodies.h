@@ -14,19 +14,22 @@ namespace enfilade::modeler {
 
 [[nodiscard]] plans::WallAxis axis_of(const plans::Wall& wall);
 
+/// Named, so that a length and an index are not taken for each other.
+struct BodySearch {
+    double grown = 0;                   ///< metres by which walls are thicker on both sides: 0.01 at most, or negative
+    std::uint32_t except = UINT32_MAX;  ///< a wall that is left out
+};
+
 /// The walls and columns of one storey. Lengths in metres.
 class WallBodies {
 public:
     explicit WallBodies(const plans::Storey& storey);
 
-    /// The wall whose body, thicker by `grown` (10 mm at most, or less than nothing) on both sides, holds a point,
-    /// `except` apart; walls.size() + k for column k; nothing where it is free.
-    [[nodiscard]] std::optional<std::uint32_t> at(plans::Point point, double grown,
-                                                  std::uint32_t except = UINT32_MAX) const;
-
+    /// The wall whose body holds a point; walls.size() + k for column k; nothing where it is free.
+    [[nodiscard]] std::optional<std::uint32_t> at(plans::Point point, const BodySearch& search = {}) const;
     /// Whether a wall, no column, holds a point.
     [[nodiscard]] bool wall_at(plans::Point point, std::uint32_t except) const {
-        const auto found = at(point, 0, except);
+        const auto found = at(point, {.except = except});
         return found && *found < axes_.size();
     }
 

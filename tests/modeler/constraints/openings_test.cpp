@@ -36,6 +36,31 @@ TEST(Openings, WarnsOfADoorBehindWhichAWallStands) {
     EXPECT_NEAR((*found[0].point)[2], 1, 1e-9);
 }
 
+/// The plan has nothing before the door: that it is closed is the model's fault, and an error.
+TEST(Openings, AnErrorWhereTheModelClosesWhatThePlanLeavesOpen) {
+    for (const char* door : {"door", "inner door"}) {
+        Building building = build(testing::two_rooms());
+        const auto space_of = [&](const std::string& id) {
+            for (std::uint32_t s = 0; s < building.spaces.size(); ++s)
+                if (building.spaces[s].id == id) return s;
+            return UINT32_MAX;
+        };
+        // A room that only this door and no window touches on one side becomes solid.
+        std::uint32_t room = UINT32_MAX;
+        for (const Face& face : building.faces)
+            for (const auto& [a, b] : {std::pair(face.front, face.back), std::pair(face.back, face.front)})
+                if (building.volumes[a].space == space_of(door) && building.volumes[b].label == Label::Room) room = b;
+        ASSERT_NE(room, UINT32_MAX);
+        building.volumes[room].label = Label::Wall;
+        building.volumes[room].space = space_of("n");
+        bool is_error = false;
+        for (const Finding& finding : check(building).findings)
+            is_error = is_error ||
+                       (finding.code == "S2" && finding.severity == Severity::Error && finding.elements[0].id == door);
+        EXPECT_TRUE(is_error) << door << "\n" << testing::all_of(check(building));
+    }
+}
+
 TEST(Openings, AcceptsADoorThatAWallHalfCovers) {
     plans::Plan plan = testing::one_room();
     plan.storeys[0].walls.push_back(testing::wall("shield", {0.2, -0.225}, {1.2, -0.225}, 0.2));
