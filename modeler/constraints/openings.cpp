@@ -77,7 +77,7 @@ private:
         }
         // Short thick walls are mostly joints, which are cut at an angle; the strip of a tight arc folds over.
         const double thickness = storey_->walls[wall_].thickness;
-        const double joints = is_folded(axis) ? HUGE_VAL : is_stub(axis) ? thickness : 0;
+        const double joints = is_folded(axis) ? HUGE_VAL : is_short(axis) ? thickness : 0;
         if (around.farthest > tolerance_ + joints)
             return blame(*space, Severity::Error,
                          subject() + " lies " + millimetres(around.farthest) + " away from its place in the wall.",
@@ -189,8 +189,9 @@ private:
                 return blame(space, Severity::Warning, subject() + " opens against the ground and leads nowhere.",
                              "Check the elevation of its storey, and the ground level of the plan.");
             const auto wall = wall_before(axis, side);
-            // Of stubs and tight arcs it is not clear what their sides are.
-            const bool is_doubtful = wall || fills_gaps() || opening_->width < slit || is_stub(axis) || is_folded(axis);
+            // Of short walls and tight arcs it is not clear what their sides are.
+            const bool is_doubtful =
+                wall || fills_gaps() || opening_->width < slit || is_short(axis) || is_folded(axis);
             if (wall && *wall < storey_->walls.size())
                 blame(space, Severity::Warning,
                       subject() + " opens against wall \"" + storey_->walls[*wall].id + "\" and leads nowhere.",
@@ -211,7 +212,7 @@ private:
     [[nodiscard]] bool is_folded(const plans::WallAxis& axis) const {
         return !axis.straight() && axis.radius() < storey_->walls[wall_].thickness;
     }
-    [[nodiscard]] bool is_stub(const plans::WallAxis& axis) const {
+    [[nodiscard]] bool is_short(const plans::WallAxis& axis) const {
         return axis.length() < 2 * storey_->walls[wall_].thickness;
     }
 

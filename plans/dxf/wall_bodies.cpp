@@ -185,7 +185,7 @@ std::vector<double> thickness_weights(const std::vector<FaceGroup>& groups, cons
     for (const Candidate& pair : pairs) {
         const FaceLine& a = groups[pair.group].lines[pair.low];
         const FaceLine& b = groups[pair.group].lines[pair.high];
-        if (pair.overlap < 2 * (b.v - a.v)) continue;  // stubs say nothing of what is usual
+        if (pair.overlap < 2 * (b.v - a.v)) continue;  // short pieces say nothing of what is usual
         weight[std::size_t((b.v - a.v) / bin) + 1] += pair.overlap / (0.1 + (b.v - a.v));
     }
     std::vector<double> smooth(weight.size(), 0);
@@ -218,7 +218,8 @@ void pair_straight(WallBodies& bodies, const PairLimits& limits) {
         const double t = b.v - a.v;
         for (const Interval& free : without({std::max(a.u0, b.u0), std::min(a.u1, b.u1)}, both)) {
             if (free.high - free.low < std::max(0.03, 0.3 * t)) continue;
-            // Shorter than thick: a stub, if walls are that thick, else a jamb across from some other wall's face.
+            // Shorter than thick: a piece of wall, if walls are that thick, else a jamb across from some other wall's
+            // face.
             if (free.high - free.low < t && weight[std::size_t(t / bin) + 1] < 0.01 * heaviest) continue;
             const std::optional<double> height = a.height ? a.height : b.height;
             bodies.straight.push_back({pair.group, (a.v + b.v) / 2, free.low, free.high, t, height});
