@@ -22,7 +22,7 @@ std::optional<DoorSwing> door_swing(const SheetStroke& stroke) {
     if (stroke.stroke.bulge == 0 || (stroke.role != Role::Door && stroke.role != Role::Opening)) return std::nullopt;
     const CircleArc arc = circle_arc(stroke.stroke);
     const double degrees = std::abs(arc.sweep) * 180 / std::numbers::pi;
-    if (arc.radius < 0.45 || arc.radius > 1.6 || degrees < 25 || degrees > 185) return std::nullopt;
+    if (arc.radius < 0.45 || arc.radius > 1.6 || degrees < 15 || degrees > 185) return std::nullopt;
     return DoorSwing{arc.centre, stroke.stroke.a, stroke.stroke.b};
 }
 

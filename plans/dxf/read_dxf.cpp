@@ -132,6 +132,43 @@ double decide_unit(const Drawing& drawing, const Roles& roles, const ReadOptions
     return metres(verdict.unit);
 }
 
+/// A low wall is a parapet where a window stands on it: there the wall goes up, and the window begins at its top.
+std::vector<WallRun> with_parapets(const WallRun& run, double storey_height) {
+    constexpr double least_piece = 0.05;
+    if (!run.height || *run.height >= usual_head || *run.height >= storey_height) return {run};
+    const double length = distance(run.start, run.end);
+    const Point dir = (run.end - run.start) * (1 / length);
+    std::vector<WallRun> pieces;
+    double from = 0;
+    const auto add = [&](double to, std::optional<double> height) {
+        WallRun piece = run;
+        piece.start = run.start + dir * from;
+        piece.end = run.start + dir * to;
+        piece.height = height;
+        std::erase_if(piece.openings, [&](const RunOpening& o) {
+            const double middle = (o.u0 + o.u1) / 2;
+            return middle < from || middle > to || (height.has_value() == (o.kind == OpeningKind::Window));
+        });
+        for (RunOpening& o : piece.openings) {
+            o.u0 = std::max(o.u0 - from, 0.0);
+            o.u1 = std::min(o.u1, to) - from;
+            if (!height && !o.sill) o.sill = run.height;
+        }
+        pieces.push_back(std::move(piece));
+        from = to;
+    };
+    for (const RunOpening& opening : run.openings) {
+        if (opening.kind != OpeningKind::Window) continue;
+        const double u0 = opening.u0 < from + least_piece ? from : opening.u0;
+        const double u1 = opening.u1 > length - least_piece ? length : opening.u1;
+        if (u1 <= u0) continue;
+        if (u0 > from) add(u0, run.height);
+        add(u1, std::nullopt);
+    }
+    if (from < length) add(length, run.height);
+    return pieces;
+}
+
 void add_wall(Storey& storey, const WallRun& run) {
     Wall wall;
     wall.id = "wall-" + std::to_string(storey.walls.size() + 1);
@@ -172,6 +209,14 @@ void add_curved(Storey& storey, const CurvedBody& body) {
         wall.height_at_start = wall.height_at_end = std::min(body.height.value_or(storey.height), storey.height);
         storey.walls.push_back(std::move(wall));
     }
+}
+
+void add_mass(Storey& storey, const WallMass& mass) {
+    Column column;
+    column.id = "column-" + std::to_string(storey.columns.size() + 1);
+    column.polygon = mass.polygon;
+    if (mass.height && *mass.height < storey.height) column.height = *mass.height;
+    storey.columns.push_back(std::move(column));
 }
 
 void add_columns(Storey& storey, const Drawing& drawing, const Roles& roles, double scale) {
@@ -278,11 +323,14 @@ Plan read_dxf(std::string_view bytes, const std::string& file_name, const ReadOp
     Storey storey;
     storey.id = storey.name = "storey";
     storey.height = options.storey_height;
-    std::vector<WallRun> runs = wall_runs(bodies, strokes);
+    std::vector<WallMass> masses;
+    std::vector<WallRun> runs = wall_runs(bodies, strokes, single_lines ? nullptr : &masses);
     apply_sizes(runs, size_notes(drawing, scale));
     for (const WallRun& run : runs)
-        if (distance(run.start, run.end) > 0.02) add_wall(storey, run);
+        if (distance(run.start, run.end) > 0.02)
+            for (const WallRun& piece : with_parapets(run, storey.height)) add_wall(storey, piece);
     for (const CurvedBody& body : bodies.curved) add_curved(storey, body);
+    for (const WallMass& mass : masses) add_mass(storey, mass);
     add_columns(storey, drawing, roles, scale);
     if (storey.walls.empty())
         throw InputError(

@@ -10,13 +10,10 @@
 namespace enfilade::plans {
 namespace {
 
-/// Where the axis of `run`, gone on beyond one end, meets that of `other`: how far ahead of the end (negative: behind),
-/// and how far beyond `other`'s nearer end (0 where it meets the run itself).
-struct Meeting {
-    double ahead = 0;
-    double beyond = 0;
-    double sine = 0;
-};
+double length_of(const WallRun& run) { return distance(run.start, run.end); }
+
+}  // namespace
+
 std::optional<Meeting> meeting(const WallRun& run, bool at_end, const WallRun& other) {
     const Point from = at_end ? run.start : run.end, to = at_end ? run.end : run.start;
     const double length = distance(from, to), other_length = distance(other.start, other.end);
@@ -38,10 +35,6 @@ void move_end(WallRun& run, bool at_end, double ahead) {
     run.start = run.start - d * ahead;
     for (RunOpening& opening : run.openings) opening.u0 += ahead, opening.u1 += ahead;
 }
-
-double length_of(const WallRun& run) { return distance(run.start, run.end); }
-
-}  // namespace
 
 std::vector<SheetStroke> axes_of(const std::vector<WallRun>& runs) {
     std::vector<SheetStroke> axes;
@@ -113,6 +106,14 @@ void bridge_to_walls(std::vector<WallRun>& runs, const std::vector<SheetStroke>&
             const Point d = (run.end - run.start) * (1 / length_of(run));
             const double u_end = dot(d, at_end ? run.end : run.start);
             const double far = at_end ? u_end + *nearest - half : u_end - *nearest + half;
+            // Another wall that runs there needs no second one in it.
+            const Point middle = end + ahead * ((*nearest - half) / 2 / length_of(run));
+            const bool taken = std::any_of(found.begin(), found.end(), [&](const WallRun& other) {
+                const Point o = other.end - other.start;
+                return &other != &found[k] && std::abs(cross(d, o)) < 0.05 * length_of(other) &&
+                       distance(middle, other.start, other.end) < (other.thickness + run.thickness) / 2;
+            });
+            if (taken) continue;
             const GapPlace gap{d, dot(turned_left(d), run.start), std::min(u_end, far), std::max(u_end, far),
                                run.thickness};
             const GapEvidence seen = gap_evidence(gap, strokes, index);

@@ -74,20 +74,23 @@ struct WindowLine {
 };
 
 std::vector<WindowLine> window_lines(const WallRun& run, const RunFrame& frame, const std::vector<SheetStroke>& strokes,
-                                     const StrokeIndex& index, const std::vector<bool>& used) {
+                                     const StrokeIndex& index, std::vector<bool>& used) {
     std::vector<WindowLine> lines;
     PlanBox box;
     box.add(run.start);
     box.add(run.end);
     for (const std::uint32_t k : index.near(box.grown(run.thickness))) {
         const SheetStroke& s = strokes[k];
-        if (used[k] || s.stroke.bulge != 0 || (s.role != Role::Window && s.role != Role::Door)) continue;
+        if (used[k] || s.stroke.bulge != 0 ||
+            (s.role != Role::Window && s.role != Role::Door && !(s.role == Role::Opening && is_low(run))))
+            continue;
         const Along a = frame.of(s.stroke.a), b = frame.of(s.stroke.b);
         const double room = run.thickness / 2 + 0.02;
         if (std::abs(a.v) > room || std::abs(b.v) > room || std::abs(b.u - a.u) < 0.25) continue;
         const double u0 = std::max(std::min(a.u, b.u), 0.0), u1 = std::min(std::max(a.u, b.u), frame.length);
-        if (u1 - u0 < 0.25) continue;
-        lines.push_back({u0, u1, s.role == Role::Window ? OpeningKind::Window : OpeningKind::Door, s.rule});
+        if (u1 - u0 < 0.25 || u1 - u0 < 0.6 * std::abs(b.u - a.u)) continue;
+        used[k] = true;
+        lines.push_back({u0, u1, s.role == Role::Door ? OpeningKind::Door : OpeningKind::Window, s.rule});
     }
     std::stable_sort(lines.begin(), lines.end(), [](const WindowLine& l, const WindowLine& r) { return l.u0 < r.u0; });
     return lines;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plans/dxf/door_screens.h"
+#include "plans/dxf/pane_walls.h"
 #include "plans/dxf/run_parts.h"
 #include "plans/vector2.h"
 
@@ -23,6 +25,7 @@ bool is_exterior(const std::vector<WallRun>& runs, Point place, Point direction,
         const Point from = place + direction * (shift * width);
         bool hit[2] = {false, false};
         for (const WallRun& run : runs) {
+            if (is_low(run)) continue;
             const double sa = dot(run.start - from, direction), sb = dot(run.end - from, direction);
             if (sa * sb > 0 || std::abs(sb - sa) < 1e-9) continue;
             const Point at = run.start + (run.end - run.start) * (sa / (sa - sb));
@@ -48,8 +51,14 @@ void settle_kinds(std::vector<WallRun>& runs) {
 
 class RunMaker {
 public:
-    RunMaker(const WallBodies& bodies, const std::vector<SheetStroke>& strokes, const GapLimits& limits)
-        : bodies_(bodies), strokes_(strokes), index_(strokes), limits_(limits), used_(strokes.size(), false) {
+    RunMaker(const WallBodies& bodies, const std::vector<SheetStroke>& strokes, std::vector<WallMass>* masses,
+             const GapLimits& limits)
+        : bodies_(bodies),
+          strokes_(strokes),
+          masses_(masses),
+          index_(strokes),
+          limits_(limits),
+          used_(strokes.size(), false) {
         for (const WallBody& body : bodies.straight) {
             const Point dir = bodies.groups[body.group].dir;
             const Point at = turned_left(dir) * body.v;
@@ -66,7 +75,12 @@ public:
         join_ends(runs);
         bridge_to_walls(runs, strokes_, index_, used_, limits_);
         join_ends(runs);
+        const std::vector<WallMass> masses = masses_ ? wall_masses(strokes_, runs) : std::vector<WallMass>{};
+        lead_into_masses(runs, masses, 0.06);
+        add_door_screens(runs, strokes_, masses, used_);
         place_symbols(runs, strokes_, used_);
+        add_panes(runs, strokes_, masses, used_);
+        if (masses_) *masses_ = masses;
         settle_kinds(runs);
         return runs;
     }
@@ -193,6 +207,7 @@ private:
 
     const WallBodies& bodies_;
     const std::vector<SheetStroke>& strokes_;
+    std::vector<WallMass>* masses_;
     StrokeIndex index_;
     GapLimits limits_;
     std::vector<bool> used_;
@@ -203,8 +218,8 @@ private:
 }  // namespace
 
 std::vector<WallRun> wall_runs(const WallBodies& bodies, const std::vector<SheetStroke>& strokes,
-                               const GapLimits& limits) {
-    return RunMaker(bodies, strokes, limits).make();
+                               std::vector<WallMass>* masses, const GapLimits& limits) {
+    return RunMaker(bodies, strokes, masses, limits).make();
 }
 
 }  // namespace enfilade::plans

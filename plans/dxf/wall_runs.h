@@ -29,6 +29,12 @@ struct WallRun {
     bool end_joined = false;
 };
 
+/// What is solid between wall lines but too thick for a wall: chimneys, piers, backs of niches.
+struct WallMass {
+    std::vector<Point> polygon;  ///< counter-clockwise, metres
+    std::optional<double> height;
+};
+
 /// Openings wider than these are taken for places without a wall (metres).
 struct GapLimits {
     double drawn = 6.5;  ///< where something is drawn in the gap
@@ -38,7 +44,8 @@ struct GapLimits {
 /// `strokes`: all strokes of the sheet; those of doors, windows and openings tell what a gap is. Bodies on one axis are
 /// one run where a face goes on, another wall crosses, or an opening lies between them. Ends within half a thickness
 /// of another wall's axis are led to it. Doors and windows drawn over a wall without a gap are put into it.
+/// `masses`: filled with what walls may end at besides; null: none are looked for (walls drawn as single lines).
 [[nodiscard]] std::vector<WallRun> wall_runs(const WallBodies& bodies, const std::vector<SheetStroke>& strokes,
-                                             const GapLimits& limits = {});
+                                             std::vector<WallMass>* masses = nullptr, const GapLimits& limits = {});
 
 }  // namespace enfilade::plans

@@ -163,6 +163,26 @@ TEST(ReadDxf, NamesRoomsByTheTextsInThem) {
     EXPECT_EQ(again.storeys[0].rooms[0].name, "Meeting room");
 }
 
+TEST(ReadDxf, AWindowOnALowWallStandsOnAParapet) {
+    // A low wall of 6 m, panes over its middle third, full walls at its ends.
+    const std::string text = File{line(0, 0, 6000, 0, "low wall") + line(0, 300, 6000, 300, "low wall") +
+                                  line(2000, 100, 4000, 100, "A-GLAZ") + line(2000, 200, 4000, 200, "A-GLAZ") +
+                                  line(-300, -3000, -300, 3000, "A-WALL") + line(0, -3000, 0, 3000, "A-WALL") +
+                                  line(6000, -3000, 6000, 3000, "A-WALL") + line(6300, -3000, 6300, 3000, "A-WALL")}
+                                 .text();
+    const Plan plan = read_dxf(text, "terrace.dxf", {.unit = Unit::Millimetre});
+    std::size_t low = 0, high = 0;
+    for (const Wall& wall : plan.storeys[0].walls) (wall.height_at_start < 2 ? low : high)++;
+    EXPECT_EQ(low, 2u);
+    EXPECT_EQ(high, 3u);
+    ASSERT_EQ(plan.storeys[0].openings.size(), 1u);
+    const Opening& window = plan.storeys[0].openings[0];
+    EXPECT_EQ(window.kind, OpeningKind::Window);
+    EXPECT_NEAR(window.sill, 1.0, 1e-9);
+    EXPECT_NEAR(window.head, 2.1, 1e-9);
+    EXPECT_NEAR(window.width, 2.0, 1e-6);
+}
+
 TEST(ReadDxf, LeavesNoLineUnmentioned) {
     const Plan plan = generate({.rooms = 6});
     std::string text = sheet_of(plan);
@@ -191,7 +211,8 @@ TEST(ReadDxf, FindsInRealDrawingsAtLeastWhatItFoundOnce) {
     // docs/inputs.md says what is there to find.
     for (const RealDrawing& drawing :
          {RealDrawing{"skymakerolof_floorplan.dxf", {}, 17, 19, 8},
-          RealDrawing{"ConstructIQ_house_plan.dxf", {.crop = DrawingBox{0, 540, 780, 1100}}, 3, 5, 2}}) {
+          RealDrawing{"ConstructIQ_house_plan.dxf", {.crop = DrawingBox{0, 540, 780, 1100}}, 7, 11, 2},
+          RealDrawing{"skymakerolof_Ceco.NET-Architecture-Tm-53.dxf", {}, 2, 2, 9}}) {
         SCOPED_TRACE(drawing.file);
         const Contents found = contents_of(read(folder / drawing.file, drawing.options));
         EXPECT_GE(found.rooms, drawing.rooms) << found;
