@@ -49,7 +49,7 @@ Building build(const plans::Plan& plan, const BuildOptions& options) {
     std::vector<Finding> findings = cleaned.findings;
     findings.insert(findings.end(), layout.findings.begin(), layout.findings.end());
     Stack stacked = stack(cleaned, layout, findings);
-    Building building = realise(std::move(stacked), Cutting::Discs);
+    Building building = realise(std::move(stacked), {});
     building.name = plan.name;
     building.plan_json = plans::write_json(cleaned);
     building.opaque_glass = options.opaque_glass;

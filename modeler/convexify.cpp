@@ -7,9 +7,9 @@
 
 namespace enfilade::modeler {
 
-Building convexify(const Building& building, Convexifier) {
+Building convexify(const Building& building, const ConvexifyOptions& options, const accel::Executor& executor) {
     ENFILADE_CHECK(!building.stack.regions.empty());
-    Building convex = realise(building.stack, Cutting::Convex);
+    Building convex = realise(building.stack, {true, options.convexifier, options.cost}, executor);
     convex.name = building.name;
     convex.plan_json = building.plan_json;
     convex.sagitta = building.sagitta;

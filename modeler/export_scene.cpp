@@ -12,7 +12,7 @@
 #include "modeler/materials.h"
 #include "modeler/model_group.h"
 #include "modeler/outline.h"
-#include "modeler/partition.h"
+#include "modeler/cutting/polygon.h"
 
 namespace enfilade::modeler {
 namespace {

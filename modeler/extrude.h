@@ -6,7 +6,7 @@
 
 #include "gmap/cell_tuples.h"
 #include "modeler/building.h"
-#include "modeler/cut.h"
+#include "modeler/cutting/cut.h"
 #include "modeler/plan_graph.h"
 #include "modeler/stack.h"
 

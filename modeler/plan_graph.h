@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/finding.h"
-#include "modeler/cut.h"
+#include "modeler/cutting/cut.h"
 #include "modeler/stack.h"
 #include "plans/planar_map.h"
 

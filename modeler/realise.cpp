@@ -29,19 +29,19 @@ void describe_plan(const Stack& stack, const PlanGraph& graph, const CutPieces& 
 
 }  // namespace
 
-Building realise(Stack stack, Cutting cutting) {
+Building realise(Stack stack, const CutOptions& options, const accel::Executor& executor) {
     Building building;
     building.frame = stack.frame;
     building.site_min = {stack.site_min.x, stack.site_min.y, stack.bands.front().z_low};
     building.site_max = {stack.site_max.x, stack.site_max.y, stack.bands.back().z_high};
     building.spaces = stack.spaces;
     building.storeys = stack.storeys;
-    building.convex = cutting == Cutting::Convex;
+    building.convex = options.convex;
 
-    CutPieces pieces = cut(stack, cutting);
+    CutPieces pieces = join_cuts(stack, cut_regions(stack, options, executor));
     PlanGraph graph = plan_graph(stack, pieces, building.findings);
     for (int pass = 0; !graph.tangled.empty() && pass < most_recuts; ++pass) {
-        pieces = cut_tangled(stack, pieces, graph, cutting);
+        pieces = cut_tangled(stack, pieces, graph, options.convex);
         graph = plan_graph(stack, pieces, building.findings);
     }
     building.max_deviation = graph.graph.max_deviation;

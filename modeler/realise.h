@@ -2,7 +2,7 @@
 // From stacked regions to volumes, faces and the generalized map.
 
 #include "modeler/building.h"
-#include "modeler/cut.h"
+#include "modeler/cutting/cut.h"
 #include "modeler/stack.h"
 
 namespace enfilade::modeler {
@@ -12,6 +12,7 @@ namespace enfilade::modeler {
 /// a side face over an edge is cut at every level of both its sides, the vertical edge over a point at the levels of
 /// all its side faces, and a horizontal face is a face of the overlay of the bands below and above it.
 /// The building's `findings` receive what vanished on the grid (P5xx) and what the map builder refused (T codes).
-[[nodiscard]] Building realise(Stack stack, Cutting cutting);
+[[nodiscard]] Building realise(Stack stack, const CutOptions& options,
+                               const accel::Executor& executor = accel::SerialExecutor());
 
 }  // namespace enfilade::modeler

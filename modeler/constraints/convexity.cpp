@@ -5,7 +5,7 @@
 
 #include "modeler/constraints/constraints.h"
 #include "modeler/map_geometry.h"
-#include "modeler/partition.h"
+#include "modeler/cutting/polygon.h"
 #include "modeler/place.h"
 
 namespace enfilade::modeler {

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "modeler/outline.h"
-#include "modeler/partition.h"
+#include "modeler/cutting/polygon.h"
 
 namespace enfilade::modeler {
 

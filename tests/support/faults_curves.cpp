@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "modeler/partition.h"
+#include "modeler/cutting/polygon.h"
 #include "plans/outline.h"
 #include "plans/read.h"
 #include "plans/vector2.h"

@@ -5,7 +5,7 @@
 
 #include "modeler/build.h"
 #include "modeler/convexify.h"
-#include "modeler/partition.h"
+#include "modeler/cutting/polygon.h"
 #include "plans/read.h"
 #include "plans/vector2.h"
 #include "tests/support/fault_place.h"

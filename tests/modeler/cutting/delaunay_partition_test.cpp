@@ -1,4 +1,4 @@
-#include "modeler/partition.h"
+#include "modeler/cutting/delaunay_partition.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -26,15 +26,6 @@ struct Polygon {
         }
     }
 };
-
-std::int64_t area2(std::span<const GridPoint> points, std::span<const PolygonSide> ring) {
-    std::int64_t sum = 0;
-    for (const PolygonSide& side : ring) {
-        const GridPoint a = points[side.from], b = points[side.to];
-        sum += std::int64_t(a.x) * b.y - std::int64_t(a.y) * b.x;
-    }
-    return sum;
-}
 
 bool visits_no_point_twice(std::span<const PolygonSide> ring) {
     std::set<std::uint32_t> seen;
@@ -70,57 +61,57 @@ Polygon random_polygon() {
     return polygon;
 }
 
-TEST(Partition, LeavesAConvexPolygonWhole) {
+TEST(DelaunayPartition, LeavesAConvexPolygonWhole) {
     Polygon square;
     square.add_loop({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
-    EXPECT_EQ(partition(square.points, square.sides, PartitionGoal::Convex).piece_count(), 1u);
-    EXPECT_EQ(partition(square.points, square.sides, PartitionGoal::Disc).piece_count(), 1u);
+    EXPECT_EQ(delaunay_partition(square.points, square.sides, PartitionGoal::Convex).piece_count(), 1u);
+    EXPECT_EQ(delaunay_partition(square.points, square.sides, PartitionGoal::Disc).piece_count(), 1u);
 }
 
-TEST(Partition, CutsAnLInFewConvexPieces) {
+TEST(DelaunayPartition, CutsAnLInFewConvexPieces) {
     Polygon l;
     l.add_loop({{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}});
-    const std::uint32_t pieces = partition(l.points, l.sides, PartitionGoal::Convex).piece_count();
+    const std::uint32_t pieces = delaunay_partition(l.points, l.sides, PartitionGoal::Convex).piece_count();
     EXPECT_GE(pieces, 2u);
     EXPECT_LE(pieces, 3u) << "2 r + 1 at most (Hertel and Mehlhorn)";
-    EXPECT_EQ(partition(l.points, l.sides, PartitionGoal::Disc).piece_count(), 1u);
+    EXPECT_EQ(delaunay_partition(l.points, l.sides, PartitionGoal::Disc).piece_count(), 1u);
 }
 
-TEST(Partition, CutsARingInTwoDiscs) {
+TEST(DelaunayPartition, CutsARingInTwoDiscs) {
     Polygon ring;
     ring.add_loop({{0, 0}, {30, 0}, {30, 30}, {0, 30}});
     ring.add_loop({{10, 10}, {10, 20}, {20, 20}, {20, 10}});
-    const Partition discs = partition(ring.points, ring.sides, PartitionGoal::Disc);
+    const Partition discs = delaunay_partition(ring.points, ring.sides, PartitionGoal::Disc);
     EXPECT_EQ(discs.piece_count(), 2u);
     std::size_t cuts = 0;
     for (const PolygonSide& side : discs.sides) cuts += side.tag == cut_tag;
     EXPECT_EQ(cuts, 4u) << "two virtual faces, each seen from both sides";
 }
 
-TEST(Partition, CutsAHoleThatTouchesTheOuterRingInAPoint) {
+TEST(DelaunayPartition, CutsAHoleThatTouchesTheOuterRingInAPoint) {
     Polygon pinched;
     pinched.points = {{0, 0}, {20, 0}, {40, 0}, {40, 30}, {0, 30}, {30, 15}, {10, 15}};
     const std::uint32_t loop[] = {0, 1, 2, 3, 4}, hole[] = {1, 6, 5};
     for (std::uint32_t k = 0; k < 5; ++k) pinched.sides.push_back({loop[k], loop[(k + 1) % 5], k, k});
     for (std::uint32_t k = 0; k < 3; ++k) pinched.sides.push_back({hole[k], hole[(k + 1) % 3], 5 + k, 5 + k});
-    const Partition discs = partition(pinched.points, pinched.sides, PartitionGoal::Disc);
+    const Partition discs = delaunay_partition(pinched.points, pinched.sides, PartitionGoal::Disc);
     EXPECT_GE(discs.piece_count(), 2u);
     for (std::uint32_t k = 0; k < discs.piece_count(); ++k) EXPECT_TRUE(visits_no_point_twice(discs.piece(k)));
 }
 
-TEST(Partition, CountsEdgesOfOneLineAsStraight) {
+TEST(DelaunayPartition, CountsEdgesOfOneLineAsStraight) {
     Polygon bent;  // the corner at (10, 1) is reflex by one unit, along one line
     bent.points = {{0, 0}, {10, 1}, {20, 0}, {20, 20}, {0, 20}};
     for (std::uint32_t k = 0; k < 5; ++k) bent.sides.push_back({k, (k + 1) % 5, k == 1 ? 0 : k, k});
-    EXPECT_EQ(partition(bent.points, bent.sides, PartitionGoal::Convex).piece_count(), 1u);
+    EXPECT_EQ(delaunay_partition(bent.points, bent.sides, PartitionGoal::Convex).piece_count(), 1u);
     bent.sides[1].line = 1;
-    EXPECT_EQ(partition(bent.points, bent.sides, PartitionGoal::Convex).piece_count(), 2u);
+    EXPECT_EQ(delaunay_partition(bent.points, bent.sides, PartitionGoal::Convex).piece_count(), 2u);
 }
 
-RC_GTEST_PROP(Partition, PiecesSumToThePolygonAndMeetTheGoal, ()) {
+RC_GTEST_PROP(DelaunayPartition, PiecesSumToThePolygonAndMeetTheGoal, ()) {
     const Polygon polygon = random_polygon();
     for (const PartitionGoal goal : {PartitionGoal::Disc, PartitionGoal::Convex}) {
-        const Partition pieces = partition(polygon.points, polygon.sides, goal);
+        const Partition pieces = delaunay_partition(polygon.points, polygon.sides, goal);
         std::int64_t sum = 0;
         std::multiset<std::pair<std::uint32_t, std::uint32_t>> cuts;
         for (std::uint32_t k = 0; k < pieces.piece_count(); ++k) {
@@ -137,7 +128,7 @@ RC_GTEST_PROP(Partition, PiecesSumToThePolygonAndMeetTheGoal, ()) {
     }
 }
 
-RC_GTEST_PROP(Partition, StaysWithinFourTimesTheLeastNumberOfConvexPieces, ()) {
+RC_GTEST_PROP(DelaunayPartition, StaysWithinFourTimesTheLeastNumberOfConvexPieces, ()) {
     const Polygon polygon = random_polygon();
     std::uint32_t reflex = 0;
     std::vector<std::uint32_t> into(polygon.points.size());
@@ -147,7 +138,7 @@ RC_GTEST_PROP(Partition, StaysWithinFourTimesTheLeastNumberOfConvexPieces, ()) {
         reflex += is_reflex(polygon.points, in, out);
     }
     // At least ceil(r / 2) + 1 - holes pieces are needed; Hertel and Mehlhorn leave at most 2 r + 1.
-    RC_ASSERT(partition(polygon.points, polygon.sides, PartitionGoal::Convex).piece_count() <= 2 * reflex + 1);
+    RC_ASSERT(delaunay_partition(polygon.points, polygon.sides, PartitionGoal::Convex).piece_count() <= 2 * reflex + 1);
 }
 
 }  // namespace

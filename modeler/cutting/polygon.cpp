@@ -1,0 +1,56 @@
+#include "modeler/cutting/polygon.h"
+
+#include <unordered_map>
+
+namespace enfilade::modeler {
+
+using plans::GridPoint;
+
+std::optional<std::size_t> reflex_corner(std::span<const RingCorner> ring) {
+    const std::size_t n = ring.size();
+    const auto at = [&](std::size_t k) -> const RingCorner& { return ring[k % n]; };
+    std::vector<std::size_t> ends;
+    for (std::size_t k = 0; k < n; ++k)
+        if (!goes_straight(at(k + n - 1).point, at(k).point, at(k + 1).point, at(k + n - 1).line, at(k).line))
+            ends.push_back(k);
+    if (ends.size() < 3) return std::nullopt;  // a sliver as wide as the grid, all of it on two lines
+    for (std::size_t e = 0; e < ends.size(); ++e) {
+        const std::size_t k = ends[e], before = ends[(e + ends.size() - 1) % ends.size()],
+                          after = ends[(e + 1) % ends.size()];
+        if (orientation(at(before).point, at(k).point, at(after).point) < 0 &&
+            orientation(at(k + n - 1).point, at(k).point, at(k + 1).point) < 0)
+            return k;
+    }
+    return std::nullopt;
+}
+
+std::int64_t area2(std::span<const GridPoint> points, std::span<const PolygonSide> ring) {
+    std::int64_t sum = 0;
+    for (const PolygonSide& side : ring) sum += orientation(points[ring[0].from], points[side.from], points[side.to]);
+    return sum;
+}
+
+std::vector<std::uint32_t> simple_ring(std::span<const PolygonSide> sides) {
+    std::unordered_map<std::uint32_t, std::uint32_t> leaving;
+    leaving.reserve(sides.size());
+    for (std::uint32_t k = 0; k < sides.size(); ++k)
+        if (!leaving.emplace(sides[k].from, k).second) return {};
+    std::vector<std::uint32_t> ring;
+    std::uint32_t k = 0;
+    do {
+        ring.push_back(k);
+        const auto follow = leaving.find(sides[k].to);
+        if (follow == leaving.end()) return {};
+        k = follow->second;
+    } while (k != 0 && ring.size() <= sides.size());
+    return ring.size() == sides.size() ? ring : std::vector<std::uint32_t>{};
+}
+
+bool is_convex(std::span<const GridPoint> points, std::span<const PolygonSide> sides,
+               std::span<const std::uint32_t> ring) {
+    std::vector<RingCorner> corners;
+    for (const std::uint32_t k : ring) corners.push_back({points[sides[k].from], sides[k].line});
+    return !reflex_corner(corners);
+}
+
+}  // namespace enfilade::modeler
