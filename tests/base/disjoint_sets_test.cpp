@@ -89,17 +89,18 @@ std::vector<std::uint32_t> lowest_by_walking(std::uint32_t count,
 
 TEST(DisjointSets, AreTheSameInWhateverOrderTheyAreJoined) {
     std::mt19937 random(7);
+    const auto below = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(random() % bound); };
     for (int round = 0; round < 200; ++round) {
-        const std::uint32_t count = 1 + random() % 40;
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(random() % (2 * count));
-        for (auto& [a, b] : pairs) a = random() % count, b = random() % count;
+        const std::uint32_t count = 1 + below(40);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(below(2 * count));
+        for (auto& [a, b] : pairs) a = below(count), b = below(count);
         const std::vector<std::uint32_t> expected = lowest_by_walking(count, pairs);
         for (int order = 0; order < 3; ++order) {
             std::shuffle(pairs.begin(), pairs.end(), random);
             DisjointSets sets(count);
             for (const auto& [a, b] : pairs) {
                 sets.join(a, b);
-                if (random() % 4 == 0) (void)sets.lowest();
+                if (below(4) == 0) (void)sets.lowest();
             }
             for (std::uint32_t k = 0; k < count; ++k) ASSERT_EQ(sets.find(k), expected[k]);
             EXPECT_EQ(sets.lowest(), expected);
