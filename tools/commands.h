@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/convexify.h"
 #include "plans/read.h"
 #include "tools/console.h"
 
@@ -53,6 +54,7 @@ struct ModelOptions {
     std::optional<double> sagitta_mm;
     std::optional<double> step_mm;
     bool opaque_glass = false;
+    modeler::Convexifier convexifier = modeler::Convexifier::Sah;
     std::optional<double> least_thickness_mm;
 };
 

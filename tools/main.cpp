@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "tools/commands.h"
+#include "tools/convexifiers.h"
 #include "tools/exit_code.h"
 #include "tools/suggestion.h"
 #include "tools/version.h"
@@ -126,6 +127,12 @@ void add_model_flags(CLI::App* command, ModelOptions& model) {
             "clear: light passes windows; opaque: it does not (clear)")
         ->option_text("KIND")
         ->check(CLI::IsMember({"clear", "opaque"}));
+    command
+        ->add_option_function<std::string>(
+            "--convexify", [&model](const std::string& name) { model.convexifier = convexifier_of(name); },
+            "how rooms are cut into the cells that rays walk through. sah: few of them, at the least cost to a ray; "
+            "hertel-mehlhorn: a triangulation, thinned; diagonals: one cell after the other along the walls (sah)")
+        ->option_text("METHOD");
 }
 
 void add_import(CLI::App& app, Invocation& invocation, ImportOptions& options) {

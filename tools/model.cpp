@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "modeler/convexify.h"
+#include "tools/convexifiers.h"
 
 namespace enfilade::tools {
 
@@ -24,6 +25,7 @@ std::string options_text(const ModelOptions& options, const modeler::BuildOption
                                    {"step_mm", 1000 * build.clean.step}};
     json["storeys"] = options.storeys;
     json["glass"] = options.opaque_glass ? "opaque" : "clear";
+    json["convexify"] = name_of(options.convexifier);
     return json.dump();
 }
 
@@ -78,7 +80,7 @@ Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& p
     {
         const modeler::Building whole = modeler::build(plan, build);
         progress.next();
-        modelled.building = modeler::convexify(whole);
+        modelled.building = modeler::convexify(whole, {.convexifier = options.convexifier});
     }
     progress.next();
     modelled.report = modeler::check(modelled.building, check_options(options));

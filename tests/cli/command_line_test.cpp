@@ -47,6 +47,15 @@ TEST_F(CommandLine, NamesTheNearestFlag) {
     EXPECT_NE(outcome.err.find("did you mean \"--sagitta-mm\"?"), std::string::npos) << outcome.err;
 }
 
+TEST_F(CommandLine, NamesTheWaysToCut) {
+    const Outcome outcome = run({"check", "plan.json", "--convexify", "diagonal"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find("(did you mean \"diagonals\"?): choose sah, hertel-mehlhorn or diagonals."),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST_F(CommandLine, RefusesMissingAndWrongValues) {
     const std::vector<std::vector<std::string>> wrong = {
         {"build"},
@@ -55,6 +64,7 @@ TEST_F(CommandLine, RefusesMissingAndWrongValues) {
         {"build", "plan.json", "-o", "a.enf", "--snap-mm", "-1"},
         {"build", "plan.json", "-o", "a.enf", "--storeys", "ground"},
         {"build", "plan.json", "-o", "a.enf", "--glass", "wooden"},
+        {"build", "plan.json", "-o", "a.enf", "--convexify", "triangles"},
         {"build", "plan.json", "-o", "a.enf", "--report", "report.pdf"},
         {"generate", "-o", "a.json"},
         {"generate", "--rooms", "many", "-o", "a.json"},

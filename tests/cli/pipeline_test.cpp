@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "accel/certificate.h"
 #include "accel/scene_file.h"
 #include "modeler/certify.h"
 #include "tests/cli/program.h"
@@ -95,6 +96,20 @@ TEST_F(Pipeline, BuildsTheStoreysAskedFor) {
     EXPECT_EQ(wrong.exit_code, 2);
     EXPECT_NE(wrong.err.find("--storeys 7"), std::string::npos) << wrong.err;
     EXPECT_FALSE(std::filesystem::exists(folder() / "wrong.enf"));
+}
+
+TEST_F(Pipeline, CutsRoomsAsAskedAndSaysHow) {
+    ASSERT_EQ(run({"generate", "--rooms", "12", "--curved", "0.5", "-o", "curved.json"}).exit_code, 0);
+    for (const char* method : {"sah", "hertel-mehlhorn", "diagonals"}) {
+        const Outcome built = run({"build", "curved.json", "-o", "cut.enf", "--convexify", method});
+        ASSERT_EQ(built.exit_code, 0) << built.err;
+        const auto certificate = accel::certificate(accel::open(folder() / "cut.enf"));
+        ASSERT_TRUE(certificate.has_value());
+        EXPECT_EQ(json::parse(certificate->options)["convexify"], method);
+        const Outcome checked = run({"check", "cut.enf", "--json"});
+        EXPECT_EQ(checked.exit_code, 0) << method << checked.out;
+        EXPECT_EQ(json::parse(checked.out)["certificate"], "certified") << method;
+    }
 }
 
 TEST_F(Pipeline, InfoCountsTheRoomsOfThePlan) {
