@@ -2,31 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace enfilade::plans {
 namespace {
 
 class Groups {
 public:
-    explicit Groups(const std::vector<PlanLine>& lines) : parent_(lines.size()), ends_(lines.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
+    explicit Groups(const std::vector<PlanLine>& lines) : sets_(lines.size()), ends_(lines.size()) {
         for (std::size_t i = 0; i < lines.size(); ++i) ends_[i] = {lines[i].a, lines[i].b};
     }
 
-    std::uint32_t root(std::uint32_t line) {
-        while (parent_[line] != line) line = parent_[line] = parent_[parent_[line]];
-        return line;
-    }
+    [[nodiscard]] std::vector<std::uint32_t> lowest() { return sets_.lowest(); }
 
     void unite_where_straight(std::uint32_t l, std::uint32_t r) {
-        l = root(l);
-        r = root(r);
+        l = sets_.find(l);
+        r = sets_.find(r);
         if (l == r) return;
         std::vector<GridPoint> both = ends_[l];
         both.insert(both.end(), ends_[r].begin(), ends_[r].end());
         if (!one_line(both)) return;
-        parent_[std::max(l, r)] = std::min(l, r);
+        sets_.join(l, r);
         ends_[std::max(l, r)].clear();
         ends_[std::min(l, r)] = std::move(both);
     }
@@ -45,7 +42,7 @@ private:
                            [&](GridPoint p) { return std::abs(double(orientation(a, b, p))) <= span; });
     }
 
-    std::vector<std::uint32_t> parent_;
+    DisjointSets sets_;
     std::vector<std::vector<GridPoint>> ends_;  ///< of roots: the ends of all lines of the group
 };
 
@@ -61,9 +58,7 @@ std::vector<std::uint32_t> straight_groups(const Parts& parts, const NodedGraph&
         for (std::uint32_t u = edge.first_use + 1; u < edge.first_use + edge.use_count; ++u)
             groups.unite_where_straight(line, parts.tags[graph.uses[u].segment].line);
     }
-    std::vector<std::uint32_t> least(parts.lines.size());
-    for (std::uint32_t line = 0; line < least.size(); ++line) least[line] = groups.root(line);
-    return least;
+    return groups.lowest();
 }
 
 }  // namespace enfilade::plans

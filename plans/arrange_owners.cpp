@@ -1,7 +1,9 @@
 #include "plans/arrange_owners.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace enfilade::plans {
 namespace {
@@ -42,28 +44,21 @@ Places find_places(const Overlay& overlay, const std::vector<SegmentTag>& tags, 
                    std::uint32_t storey) {
     const NodedGraph& graph = overlay.graph;
     const PlanarMap& map = overlay.map;
-    std::vector<std::uint32_t> parent(map.face_count);
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t f) {
-        while (parent[f] != f) f = parent[f] = parent[parent[f]];
-        return f;
-    };
+    DisjointSets faces(map.face_count);
     // The exterior reaches beyond the site box, whose edges are no walls: face 0 is part of it.
     for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
         const std::uint32_t left = map.face(2 * e);
         const std::uint32_t right = map.face(2 * e + 1);
         if (left == right || is_solid(owner[left].kind) || is_solid(owner[right].kind)) continue;
         if (borders_rooms(graph, graph.edges[e], tags, storey)) continue;
-        const std::uint32_t l = root(left);
-        const std::uint32_t r = root(right);
-        parent[std::max(l, r)] = std::min(l, r);
+        faces.join(left, right);
     }
     Places result;
     result.of_face.assign(map.face_count, kNone);
     const std::vector<std::int64_t> areas2 = face_areas2(map);
     for (std::uint32_t f = 0; f < map.face_count; ++f) {
         if (is_solid(owner[f].kind)) continue;
-        const std::uint32_t least = root(f);
+        const std::uint32_t least = faces.find(f);
         if (least == f) {
             result.of_face[f] = std::uint32_t(result.places.size());
             result.places.push_back({0, 0, f, f == 0, false});

@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "base/disjoint_sets.h"
+
 namespace enfilade::plans {
 namespace {
 
@@ -152,19 +154,9 @@ private:
 
 /// Component of each vertex, named by its least vertex.
 std::vector<std::uint32_t> least_connected(const NodedGraph& graph) {
-    std::vector<std::uint32_t> parent(graph.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (const NodedEdge& edge : graph.edges) {
-        const std::uint32_t a = root(edge.a);
-        const std::uint32_t b = root(edge.b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-    for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = parent[parent[v]];
-    return parent;
+    DisjointSets components(graph.vertices.size());
+    for (const NodedEdge& edge : graph.edges) components.join(edge.a, edge.b);
+    return components.lowest();
 }
 
 /// Each component has one loop without area or of negative area, its outside. What lies below its least vertex

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "plans/room_match.h"
 
 namespace enfilade::plans {
@@ -59,22 +59,13 @@ private:
 
     /// Faces of one place and label, connected.
     [[nodiscard]] std::vector<std::uint32_t> pieces() const {
-        std::vector<std::uint32_t> parent(map_.face_count);
-        std::iota(parent.begin(), parent.end(), 0u);
-        const auto root = [&](std::uint32_t f) {
-            while (parent[f] != f) f = parent[f] = parent[parent[f]];
-            return f;
-        };
+        DisjointSets faces(map_.face_count);
         for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
             const std::uint32_t l = map_.face(2 * e);
             const std::uint32_t r = map_.face(2 * e + 1);
-            if (place_[l] == kNone || place_[l] != place_[r] || label_[l] != label_[r]) continue;
-            const std::uint32_t lr = root(l);
-            const std::uint32_t rr = root(r);
-            parent[std::max(lr, rr)] = std::min(lr, rr);
+            if (place_[l] != kNone && place_[l] == place_[r] && label_[l] == label_[r]) faces.join(l, r);
         }
-        for (std::uint32_t f = 0; f < parent.size(); ++f) parent[f] = root(f);
-        return parent;
+        return faces.lowest();
     }
 
     /// A label keeps its largest piece, and all that have some size.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "plans/box_index.h"
 #include "plans/vector2.h"
 
@@ -198,23 +198,18 @@ void gather_ends(std::vector<Point>& starts, std::vector<Point>& finishes, const
         return l.column != r.column ? l.column < r.column : l.row < r.row;
     };
     std::sort(places.begin(), places.end(), cell_before);
-    std::vector<std::uint32_t> parent(ends.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t e) {
-        while (parent[e] != e) e = parent[e] = parent[parent[e]];
-        return e;
-    };
+    DisjointSets gathered(ends.size());
     for (const Place& place : places)
         for (std::int64_t column = place.column - 1; column <= place.column + 1; ++column) {
             auto near = std::lower_bound(places.begin(), places.end(), Place{column, place.row - 1, 0}, cell_before);
             for (; near != places.end() && near->column == column && near->row <= place.row + 1; ++near)
-                if (distance(*ends[near->end], *ends[place.end]) <= join) parent[root(near->end)] = root(place.end);
+                if (distance(*ends[near->end], *ends[place.end]) <= join) gathered.join(near->end, place.end);
         }
     // The middle of the box around all ends of a place does not depend on their order.
     std::vector<PlanBox> boxes(ends.size());
-    for (std::uint32_t e = 0; e < ends.size(); ++e) boxes[root(e)].add(*ends[e]);
+    for (std::uint32_t e = 0; e < ends.size(); ++e) boxes[gathered.find(e)].add(*ends[e]);
     for (std::uint32_t e = 0; e < ends.size(); ++e) {
-        const PlanBox& box = boxes[root(e)];
+        const PlanBox& box = boxes[gathered.find(e)];
         *ends[e] = {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
     }
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
+#include "base/disjoint_sets.h"
 #include "plans/dxf/gap.h"
 #include "plans/dxf/run_parts.h"
 #include "plans/dxf/solids.h"
@@ -103,24 +103,18 @@ std::vector<Leaf> leaves_of(const std::vector<SheetStroke>& strokes, const std::
         box.add(strokes[k].stroke.b);
         boxes.push_back(box.grown(touching));
     }
-    std::vector<std::uint32_t> root(lines.size());
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets hanging(lines.size());
     if (!boxes.empty()) {
         const BoxIndex index(boxes);
         for (std::uint32_t i = 0; i < lines.size(); ++i)
             for (const Point end : {strokes[lines[i]].stroke.a, strokes[lines[i]].stroke.b})
                 index.near(end, [&](std::uint32_t j) {
                     const Stroke& other = strokes[lines[j]].stroke;
-                    if (distance(end, other.a, other.b) < touching)
-                        root[std::max(find(i), find(j))] = std::min(find(i), find(j));
+                    if (distance(end, other.a, other.b) < touching) hanging.join(i, j);
                 });
     }
     std::vector<Leaf> leaves(lines.size());
-    for (std::uint32_t i = 0; i < lines.size(); ++i) leaves[find(i)].push_back(lines[i]);
+    for (std::uint32_t i = 0; i < lines.size(); ++i) leaves[hanging.find(i)].push_back(lines[i]);
     std::erase_if(leaves, [&](const Leaf& leaf) {
         // What hangs on the hinge of a swing is its leaf.
         return leaf.size() < 2 || std::any_of(hinges.begin(), hinges.end(), [&](Point hinge) {
