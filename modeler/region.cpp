@@ -1,7 +1,8 @@
 #include "modeler/region.h"
 
-#include <numeric>
 #include <unordered_map>
+
+#include "base/disjoint_sets.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -68,24 +69,18 @@ private:
 
     void number_regions(std::uint32_t band) {
         region_[band].assign(face_count_, no_index);
-        std::vector<std::uint32_t> parent(face_count_);
-        std::iota(parent.begin(), parent.end(), 0u);
-        const auto find = [&](std::uint32_t f) {
-            while (parent[f] != f) f = parent[f] = parent[parent[f]];
-            return f;
-        };
+        DisjointSets faces(face_count_);
         for (std::uint32_t e = 0; e < layout_.graph.edges.size(); ++e) {
             const std::uint32_t f = layout_.map.face(2 * e), g = layout_.map.face(2 * e + 1);
             if (f == 0 || g == 0 || !starts_[band][f] || !starts_[band][g] || key_[band][f] != key_[band][g]) continue;
-            const std::uint32_t a = find(f), b = find(g);
-            if (a != b) parent[std::max(a, b)] = std::min(a, b);
+            faces.join(f, g);
         }
         for (std::uint32_t face = 1; face < face_count_; ++face) {
             if (!starts_[band][face]) {
                 region_[band][face] = region_[band - 1][face];
                 continue;
             }
-            const std::uint32_t root = find(face);
+            const std::uint32_t root = faces.find(face);
             if (region_[band][root] == no_index) region_[band][root] = add_region(band, root);
             region_[band][face] = region_[band][root];
         }

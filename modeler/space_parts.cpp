@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "modeler/outline.h"
 
@@ -59,12 +59,12 @@ public:
         join(volumes.size());
         const std::size_t first = parts.size();
         for (std::uint32_t k = 0; k < volumes.size(); ++k) {
-            if (root(k) == k) {
+            if (sets_.find(k) == k) {
                 part_of_root_[k] = std::uint32_t(parts.size());
                 const Volume& volume = building_.volumes[volumes[k]];
                 parts.push_back({volume.space, volume.z_low, volume.z_high, {}, {}, {}});
             }
-            parts[part_of_root_[root(k)]].volumes.push_back(volumes[k]);
+            parts[part_of_root_[sets_.find(k)]].volumes.push_back(volumes[k]);
         }
         trace(parts);
         for (const std::uint32_t h : half_edges_) volume_of_[h] = no_index;
@@ -72,20 +72,13 @@ public:
     }
 
 private:
-    /// Each volume's root is the lowest volume that it hangs together with over edges.
+    /// Volumes that hang together over edges are one set.
     void join(std::size_t count) {
-        root_.resize(count);
+        sets_.reset(count);
         part_of_root_.assign(count, no_index);
-        std::iota(root_.begin(), root_.end(), 0u);
         for (const std::uint32_t h : half_edges_) {
-            if (h % 2 != 0 || volume_of_[h ^ 1] == no_index) continue;
-            const std::uint32_t a = root(volume_of_[h]), b = root(volume_of_[h ^ 1]);
-            root_[std::max(a, b)] = std::min(a, b);
+            if (h % 2 == 0 && volume_of_[h ^ 1] != no_index) sets_.join(volume_of_[h], volume_of_[h ^ 1]);
         }
-    }
-    std::uint32_t root(std::uint32_t k) {
-        while (root_[k] != k) k = root_[k] = root_[root_[k]];
-        return k;
     }
 
     /// Goes along every half-edge whose twin lies outside of the part. Where several rings meet in a point, a ring
@@ -93,7 +86,8 @@ private:
     void trace(std::vector<SpacePart>& parts) {
         border_.clear();
         for (const std::uint32_t h : half_edges_)
-            if (volume_of_[h ^ 1] == no_index) border_.push_back({root(volume_of_[h]), start_of(building_, h), h});
+            if (volume_of_[h ^ 1] == no_index)
+                border_.push_back({sets_.find(volume_of_[h]), start_of(building_, h), h});
         std::sort(border_.begin(), border_.end());
         std::vector<std::uint8_t> used(border_.size(), 0);
         for (std::size_t k = 0; k < border_.size(); ++k) {
@@ -144,7 +138,7 @@ private:
     const Building& building_;
     std::vector<std::uint32_t> volume_of_;   ///< [half-edge] into the volumes at hand
     std::vector<std::uint32_t> half_edges_;  ///< of the volumes at hand
-    std::vector<std::uint32_t> root_;
+    DisjointSets sets_;                      ///< of volumes
     std::vector<std::uint32_t> part_of_root_;
     std::vector<std::array<std::uint32_t, 3>> border_;  ///< root, starting point, half-edge; sorted
 };

@@ -1,10 +1,10 @@
 // S5: one exterior, and a way to it from every room that people use.
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 #include <unordered_set>
 
+#include "base/disjoint_sets.h"
 #include "modeler/constraints/constraints.h"
 #include "modeler/constraints/map_faces.h"
 #include "modeler/constraints/space_index.h"
@@ -15,23 +15,6 @@ namespace {
 
 constexpr double most_step = 0.5;      ///< metres: holes in walls that begin higher are no way through
 constexpr double least_habitable = 2;  ///< square metres, of rooms that the plan does not name
-
-/// Groups of numbers that belong together.
-class Groups {
-public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    [[nodiscard]] std::uint32_t root(std::uint32_t k) {
-        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-        return k;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a), b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 class AccessCheck {
 public:
@@ -62,7 +45,7 @@ private:
     }
 
     void check_exterior() {
-        Groups groups(building_.volumes.size());
+        DisjointSets groups(building_.volumes.size());
         // A stair in the garden, or a gap in its wall, parts the air no more than the plan's lines do.
         const auto is_air = [&](std::uint32_t v) {
             const Label l = label(v);
@@ -80,12 +63,12 @@ private:
                 highest = v;
         std::unordered_set<std::uint32_t> reported;
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v) {
-            if (label(v) != Label::Exterior || groups.root(v) == groups.root(highest)) continue;
+            if (label(v) != Label::Exterior || groups.find(v) == groups.find(highest)) continue;
             if (blame_.volume[v]) {
                 ++report_.suppressed;
                 continue;
             }
-            if (!reported.insert(groups.root(v)).second) continue;
+            if (!reported.insert(groups.find(v)).second) continue;
             // Above a fence inside a wall there may be a pocket; what people can stand in is none.
             const bool is_pocket = floor_area(v) < least_habitable;
             Finding finding{.code = "S5", .severity = is_pocket ? Severity::Warning : Severity::Error};
@@ -146,7 +129,7 @@ private:
     }
 
     void check_rooms() {
-        Groups groups(building_.volumes.size());
+        DisjointSets groups(building_.volumes.size());
         for_each_face([&](std::uint32_t a, std::uint32_t b, bool level) {
             if (!is_way(a) || !is_way(b)) return;
             // Up and down there are only stairs; the air over a terrace is no way to the roof's, but stays one place.
@@ -157,12 +140,12 @@ private:
         });
         std::vector<bool> leads_out(building_.volumes.size(), false);
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v)
-            if (label(v) == Label::Exterior || blame_.volume[v]) leads_out[groups.root(v)] = true;
+            if (label(v) == Label::Exterior || blame_.volume[v]) leads_out[groups.find(v)] = true;
 
         std::vector<std::vector<std::uint32_t>> shut(building_.volumes.size());  // by root: rooms
         for (std::uint32_t space = 0; space < building_.spaces.size(); ++space) {
             if (!is_habitable(space)) continue;
-            const std::uint32_t group = groups.root(spaces_.volumes(space).front());
+            const std::uint32_t group = groups.find(spaces_.volumes(space).front());
             if (!leads_out[group]) shut[group].push_back(space);
         }
         for (const std::vector<std::uint32_t>& rooms : shut)

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <numeric>
 #include <unordered_map>
 
+#include "base/disjoint_sets.h"
 #include "modeler/constraints/star_blame.h"
 #include "modeler/place.h"
 
@@ -29,21 +29,13 @@ double lean(const Building& building, const FaceRings& rings, std::uint32_t face
 
 /// Faces that hang together in vertices, by their lowest.
 std::vector<std::vector<std::uint32_t>> clusters(const FaceRings& rings, const std::vector<std::uint32_t>& faces) {
-    std::vector<std::uint32_t> parent(faces.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t k) {
-        while (parent[k] != k) k = parent[k] = parent[parent[k]];
-        return k;
-    };
+    DisjointSets sets(faces.size());
     std::unordered_map<std::uint32_t, std::uint32_t> at_vertex;
     for (std::uint32_t k = 0; k < faces.size(); ++k)
-        for (const std::uint32_t v : rings.ring(faces[k])) {
-            const std::uint32_t a = root(at_vertex.try_emplace(v, k).first->second), b = root(k);
-            parent[std::max(a, b)] = std::min(a, b);
-        }
-    std::vector<std::vector<std::uint32_t>> found(faces.size());
-    for (std::uint32_t k = 0; k < faces.size(); ++k) found[root(k)].push_back(faces[k]);
-    std::erase_if(found, [](const auto& cluster) { return cluster.empty(); });
+        for (const std::uint32_t v : rings.ring(faces[k])) sets.join(at_vertex.try_emplace(v, k).first->second, k);
+    std::vector<std::vector<std::uint32_t>> found = sets.groups();
+    for (auto& cluster : found)
+        for (std::uint32_t& k : cluster) k = faces[k];
     return found;
 }
 

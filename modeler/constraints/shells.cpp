@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/disjoint_sets.h"
 #include "modeler/constraints/face_meeting.h"
 #include "modeler/constraints/prism_shell.h"
 #include "modeler/constraints/star_blame.h"
@@ -47,32 +48,12 @@ std::span<const std::uint32_t> pushed_faces(const FaceRings& rings, const ShellM
 /// Meetings whose smaller faces hang together in vertices are one fault: something is pushed through something else,
 /// and each of its sides meets what it is pushed through.
 std::vector<std::vector<std::uint32_t>> faults_of(const FaceRings& rings, const std::vector<ShellMeeting>& meetings) {
-    std::vector<std::uint32_t> parent(meetings.size());
-    for (std::uint32_t k = 0; k < parent.size(); ++k) parent[k] = k;
-    const auto root = [&](std::uint32_t k) {
-        while (parent[k] != k) k = parent[k] = parent[parent[k]];
-        return k;
-    };
+    DisjointSets faults(meetings.size());
     std::map<std::uint32_t, std::uint32_t> at_vertex;
     for (std::uint32_t k = 0; k < meetings.size(); ++k)
         for (const std::uint32_t f : pushed_faces(rings, meetings[k]))
-            for (const std::uint32_t v : rings.ring(f)) {
-                const auto [known, is_new] = at_vertex.try_emplace(v, k);
-                if (is_new) continue;
-                const std::uint32_t a = root(known->second), b = root(k);
-                parent[std::max(a, b)] = std::min(a, b);
-            }
-    std::vector<std::vector<std::uint32_t>> faults;
-    std::vector<std::uint32_t> fault_of(meetings.size(), UINT32_MAX);
-    for (std::uint32_t k = 0; k < meetings.size(); ++k) {
-        std::uint32_t& fault = fault_of[root(k)];
-        if (fault == UINT32_MAX) {
-            fault = std::uint32_t(faults.size());
-            faults.emplace_back();
-        }
-        faults[fault].push_back(k);
-    }
-    return faults;
+            for (const std::uint32_t v : rings.ring(f)) faults.join(at_vertex.try_emplace(v, k).first->second, k);
+    return faults.groups();
 }
 
 /// What is pushed through something turns what it is pushed through inside out: volumes that hang together with a

@@ -4,7 +4,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "modeler/exports/components.h"
+#include "base/disjoint_sets.h"
 
 namespace enfilade::modeler {
 
@@ -72,7 +72,7 @@ std::span<const LevelFace> LevelFaces::of(const std::vector<LevelFace>& faces, s
 
 std::vector<RegionRings> LevelFaces::outlines(std::span<const std::uint32_t> faces) const {
     std::map<BorderSegment, std::uint32_t> owner;  // segment -> place in `faces`
-    Components components(faces.size());
+    DisjointSets components(faces.size());
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
         const std::uint32_t first = first_ring_[faces[k]], end = first_ring_[faces[k] + 1];
         for (std::uint32_t r = first; r < end; ++r) {
@@ -83,7 +83,7 @@ std::vector<RegionRings> LevelFaces::outlines(std::span<const std::uint32_t> fac
         }
     }
     std::map<std::uint32_t, std::vector<BorderSegment>> borders;
-    for (const auto& [segment, k] : owner) borders[components.root(k)].push_back(segment);
+    for (const auto& [segment, k] : owner) borders[components.find(k)].push_back(segment);
     std::vector<RegionRings> result;
     for (auto& [root, border] : borders) result.push_back(trace_rings(std::move(border), points_));
     return result;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "modeler/exports/components.h"
+#include "base/disjoint_sets.h"
 
 namespace enfilade::modeler {
 
@@ -100,7 +100,7 @@ void PlanFaces::stack_volumes(const Building& building) {
 std::vector<RegionRings> PlanFaces::outlines(std::span<const std::uint32_t> faces) const {
     std::map<std::uint32_t, std::uint32_t> place;
     for (std::uint32_t k = 0; k < faces.size(); ++k) place.emplace(faces[k], k);
-    Components components(faces.size());
+    DisjointSets components(faces.size());
     const auto for_each_half_edge = [&](auto visit) {
         for (std::uint32_t k = 0; k < faces.size(); ++k)
             for (std::uint32_t i = first_half_[faces[k]]; i < first_half_[faces[k] + 1]; ++i) {
@@ -113,7 +113,7 @@ std::vector<RegionRings> PlanFaces::outlines(std::span<const std::uint32_t> face
     });
     std::map<std::uint32_t, std::vector<BorderSegment>> borders;
     for_each_half_edge([&](std::uint32_t k, std::uint32_t h, std::uint32_t beyond) {
-        if (beyond == no_index) borders[components.root(k)].push_back(segments_[h]);
+        if (beyond == no_index) borders[components.find(k)].push_back(segments_[h]);
     });
     std::vector<RegionRings> result;
     for (auto& [root, border] : borders) result.push_back(trace_rings(std::move(border), points_));

@@ -4,7 +4,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "modeler/exports/components.h"
+#include "base/disjoint_sets.h"
 #include "modeler/exports/level_faces.h"
 #include "modeler/exports/part_sides.h"
 #include "modeler/exports/ring_trace.h"
@@ -138,7 +138,7 @@ private:
             for (const std::int32_t z : levels[c]) nodes.push_back({std::int64_t(c), z});
         }
         const std::vector<SideTile> tiles = tiles_of(strips);
-        Components components(tiles.size());
+        DisjointSets components(tiles.size());
         join_tiles(tiles, components);
         std::map<std::uint32_t, std::vector<BorderSegment>> borders;
         for (std::uint32_t t = 0; t < tiles.size(); ++t) {
@@ -150,7 +150,7 @@ private:
             const std::uint32_t left_low = node(tile.column, tile.z_low), left_high = node(tile.column, tile.z_high);
             const std::uint32_t right_low = node(tile.column + 1, tile.z_low),
                                 right_high = node(tile.column + 1, tile.z_high);
-            std::vector<BorderSegment>& border = borders[components.root(t)];
+            std::vector<BorderSegment>& border = borders[components.find(t)];
             border.push_back({left_low, right_low});
             for (std::uint32_t k = right_low; k < right_high; ++k) border.push_back({k, k + 1});
             border.push_back({right_high, left_high});
@@ -191,7 +191,7 @@ private:
     }
 
     /// Tiles side by side with the same behind them hang together; those above each other never have the same.
-    static void join_tiles(const std::vector<SideTile>& tiles, Components& components) {
+    static void join_tiles(const std::vector<SideTile>& tiles, DisjointSets& components) {
         std::uint32_t left = 0;
         for (std::uint32_t right = 0; right < tiles.size(); ++right) {
             if (tiles[right].column == 0) continue;

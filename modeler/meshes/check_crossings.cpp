@@ -1,52 +1,27 @@
 // G4 of meshes.
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
+#include "base/disjoint_sets.h"
 #include "modeler/meshes/mesh_solids.h"
 
 namespace enfilade::modeler {
 namespace {
 
-/// Faces that cross, and those that share a place with them: one fault.
-class Clusters {
-public:
-    Clusters(const std::vector<Crossing>& crossings, const MeshTriangles& triangles,
-             const std::vector<std::uint32_t>& place)
-        : parent_(crossings.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-        std::unordered_map<std::uint32_t, std::uint32_t> at;
-        for (std::uint32_t k = 0; k < crossings.size(); ++k)
-            for (const std::uint32_t t : {crossings[k].a, crossings[k].b})
-                for (const std::uint32_t v : triangles.corners[t])
-                    if (const auto [known, is_new] = at.try_emplace(place[v], k); !is_new) join(k, known->second);
-    }
-
-    /// The crossings of each, in order of their first.
-    [[nodiscard]] std::vector<std::vector<std::uint32_t>> all() {
-        std::vector<std::vector<std::uint32_t>> result;
-        std::vector<std::uint32_t> cluster_of(parent_.size(), UINT32_MAX);
-        for (std::uint32_t k = 0; k < parent_.size(); ++k) {
-            std::uint32_t& cluster = cluster_of[find(k)];
-            if (cluster == UINT32_MAX) cluster = std::uint32_t(result.size()), result.emplace_back();
-            result[cluster].push_back(k);
-        }
-        return result;
-    }
-
-private:
-    std::uint32_t find(std::uint32_t k) {
-        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-        return k;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a), b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-    std::vector<std::uint32_t> parent_;
-};
+/// Faces that cross, and those that share a place with them, are one fault: the crossings of each, in order of their
+/// first.
+std::vector<std::vector<std::uint32_t>> clusters_of(const std::vector<Crossing>& crossings,
+                                                    const MeshTriangles& triangles,
+                                                    const std::vector<std::uint32_t>& place) {
+    DisjointSets clusters(crossings.size());
+    std::unordered_map<std::uint32_t, std::uint32_t> at;
+    for (std::uint32_t k = 0; k < crossings.size(); ++k)
+        for (const std::uint32_t t : {crossings[k].a, crossings[k].b})
+            for (const std::uint32_t v : triangles.corners[t])
+                if (const auto [known, is_new] = at.try_emplace(place[v], k); !is_new) clusters.join(k, known->second);
+    return clusters.groups();
+}
 
 /// A point near both triangles: the middle of the box in which their boxes overlap.
 std::array<double, 3> place_of(const Mesh& mesh, const MeshTriangles& triangles, const Crossing& crossing) {
@@ -121,7 +96,7 @@ void check_crossings(const Crossings& crossings, const MeshTriangles& triangles,
         if (known || pieces.pieces[pieces.piece[f]].one_sided) report.suppress();
         else own.push_back(crossing);
     }
-    for (const auto& cluster : Clusters(own, triangles, place).all()) report_cluster(own, cluster, triangles, report);
+    for (const auto& cluster : clusters_of(own, triangles, place)) report_cluster(own, cluster, triangles, report);
     if (crossings.complete) return;
     Finding finding{.code = "G4", .severity = Severity::Warning};
     finding.sentence = "The search for crossings was ended: there are far too many.";

@@ -1,8 +1,8 @@
 // T4 of meshes: faces given twice, edges with more than two faces.
 
 #include <algorithm>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "modeler/meshes/mesh_topology.h"
 
 namespace enfilade::modeler {
@@ -73,29 +73,16 @@ struct CrowdedEdges {
 
 /// Edges that share vertices are one chain.
 std::vector<std::vector<std::uint32_t>> chains(const MeshMap& map, const CrowdedEdges& crowded) {
-    std::vector<std::uint32_t> parent(crowded.edges.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto find = [&](std::uint32_t k) {
-        while (parent[k] != k) k = parent[k] = parent[parent[k]];
-        return k;
-    };
+    DisjointSets sets(crowded.edges.size());
     std::vector<std::uint32_t> at_vertex(map.vertex.size(), nothing);
     for (std::uint32_t k = 0; k < crowded.edges.size(); ++k) {
         const std::uint32_t r = map.entries[crowded.edges[k]][0];
         for (const std::uint32_t v : {map.tuples.ring[r], map.tuples.ring[map.next(r)]}) {
             if (at_vertex[v] == nothing) at_vertex[v] = k;
-            const std::uint32_t a = find(k), b = find(at_vertex[v]);
-            parent[std::max(a, b)] = std::min(a, b);
+            sets.join(k, at_vertex[v]);
         }
     }
-    std::vector<std::vector<std::uint32_t>> result;
-    std::vector<std::uint32_t> chain_of(parent.size(), nothing);
-    for (std::uint32_t k = 0; k < parent.size(); ++k) {
-        std::uint32_t& chain = chain_of[find(k)];
-        if (chain == nothing) chain = std::uint32_t(result.size()), result.emplace_back();
-        result[chain].push_back(k);
-    }
-    return result;
+    return sets.groups();
 }
 
 void report_chain(const MeshMap& map, const CrowdedEdges& crowded, const std::vector<std::uint32_t>& chain,

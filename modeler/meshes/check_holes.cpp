@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 
+#include "base/disjoint_sets.h"
 #include "modeler/meshes/mesh_topology.h"
 #include "modeler/meshes/point_index.h"
 
@@ -20,8 +20,7 @@ public:
         for (std::uint32_t e = 0; e < map.uses.size(); ++e)
             if (map.uses[e] == 1) number_[e] = std::uint32_t(edges_.size()), edges_.push_back(e);
         find_twins();
-        parent_.resize(edges_.size());
-        std::iota(parent_.begin(), parent_.end(), 0u);
+        sets_.reset(edges_.size());
         next_.assign(edges_.size(), nothing);
         std::unordered_map<std::uint32_t, std::uint32_t> ends;  // at places where the way round is blocked
         for (std::uint32_t k = 0; k < edges_.size(); ++k)
@@ -37,37 +36,19 @@ public:
         return map_.vertex[map_.tuples.ring[end == 0 ? r : map_.next(r)]];
     }
     /// The edges of each loop, in order of their first edge.
-    [[nodiscard]] std::vector<std::vector<std::uint32_t>> loops() {
-        std::vector<std::vector<std::uint32_t>> result;
-        std::vector<std::uint32_t> loop_of(edges_.size(), nothing);
-        for (std::uint32_t k = 0; k < edges_.size(); ++k) {
-            std::uint32_t& loop = loop_of[find(k)];
-            if (loop == nothing) loop = std::uint32_t(result.size()), result.emplace_back();
-            result[loop].push_back(k);
-        }
-        return result;
-    }
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> loops() { return sets_.groups(); }
 
 private:
-    std::uint32_t find(std::uint32_t k) {
-        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-        return k;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a), b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
     /// To the next edge of the same kind: seams go on with seams, the edges of a hole past the seams that end at it.
     void link(std::uint32_t k, std::uint32_t end, std::unordered_map<std::uint32_t, std::uint32_t>& ends) {
         const std::uint32_t edge = beyond(edges_[k], end);
         const std::uint32_t other = edge == nothing ? nothing : number_[edge];
         if (other != nothing && twin_[other] == twin_[k]) {
-            join(k, other);
+            sets_.join(k, other);
             if (end == 1) next_[k] = other;
         } else if (!twin_[k]) {
             const auto [at, is_new] = ends.try_emplace(place_[k][end], k);
-            if (!is_new) join(k, at->second);
+            if (!is_new) sets_.join(k, at->second);
         }
     }
 
@@ -110,7 +91,7 @@ private:
     const Mesh& mesh_;
     std::vector<std::uint32_t> edges_;
     std::vector<std::uint32_t> number_;  ///< [edge] into edges_
-    std::vector<std::uint32_t> parent_;
+    DisjointSets sets_;
     std::vector<std::uint32_t> next_;
     std::vector<bool> twin_;
     std::vector<std::array<std::uint32_t, 2>> place_;  ///< of the ends; equal points have one

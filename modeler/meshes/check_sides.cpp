@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "modeler/meshes/mesh_topology.h"
 
 namespace enfilade::modeler {
@@ -101,28 +102,25 @@ namespace {
 /// Corners of faces joined across edges: those of a vertex that stay apart are its umbrellas.
 class Umbrellas {
 public:
-    explicit Umbrellas(const MeshMap& map) : map_(map), parent_(map.edge.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
+    explicit Umbrellas(const MeshMap& map) : map_(map), corners_(map.edge.size()) {
         for (std::uint32_t e = 0; e < map.uses.size(); ++e) {
             if (map.uses[e] != 2) continue;
             auto [a, b] = map.entries[e];
             std::uint32_t a_end = map.next(a), b_end = map.next(b);
             if (map.tuples.ring[a] != map.tuples.ring[b]) std::swap(b, b_end);
-            join(a, b);
-            join(a_end, b_end);
+            corners_.join(a, b);
+            corners_.join(a_end, b_end);
         }
     }
 
-    std::uint32_t find(std::uint32_t corner) {
-        while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-        return corner;
-    }
+    /// The lowest corner of the umbrella.
+    std::uint32_t find(std::uint32_t corner) { return corners_.find(corner); }
 
     /// Vertices with more than one, ascending, with a corner of each umbrella.
     [[nodiscard]] std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> crowded_vertices() {
         std::vector<std::uint32_t> first(map_.vertex.size(), nothing);
         std::vector<std::pair<std::uint32_t, std::uint32_t>> more;  // vertex, root
-        for (std::uint32_t r = 0; r < parent_.size(); ++r) {
+        for (std::uint32_t r = 0; r < corners_.size(); ++r) {
             if (find(r) != r) continue;
             std::uint32_t& root = first[map_.tuples.ring[r]];
             if (root == nothing) root = r;
@@ -138,13 +136,8 @@ public:
     }
 
 private:
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a), b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
     const MeshMap& map_;
-    std::vector<std::uint32_t> parent_;
+    DisjointSets corners_;
 };
 
 void report_vertex(const MeshMap& map, std::uint32_t v, const std::vector<std::uint32_t>& corners, MeshReport& report) {

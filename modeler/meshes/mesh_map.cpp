@@ -1,7 +1,8 @@
 #include "modeler/meshes/mesh_map.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -93,21 +94,13 @@ private:
 /// Pieces are connected by vertices; piece p lies between volumes 2p and 2p + 1.
 void number_pieces(MeshMap& out) {
     gmap::CellTuples& t = out.tuples;
-    Ring parent(out.vertex.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto find = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
+    DisjointSets pieces(out.vertex.size());
     for (std::size_t f = 0; f < out.face.size(); ++f)
-        for (std::uint32_t r = t.ring_first[f] + 1; r < t.ring_first[f + 1]; ++r) {
-            const std::uint32_t a = find(t.ring[r - 1]), b = find(t.ring[r]);
-            parent[std::max(a, b)] = std::min(a, b);
-        }
+        for (std::uint32_t r = t.ring_first[f] + 1; r < t.ring_first[f + 1]; ++r) pieces.join(t.ring[r - 1], t.ring[r]);
     Ring number(out.vertex.size(), UINT32_MAX);
     t.face_volumes.resize(out.face.size());
     for (std::size_t f = 0; f < out.face.size(); ++f) {
-        std::uint32_t& piece = number[find(t.ring[t.ring_first[f]])];
+        std::uint32_t& piece = number[pieces.find(t.ring[t.ring_first[f]])];
         if (piece == UINT32_MAX) piece = out.piece_count++;
         t.face_volumes[f] = {2 * piece, 2 * piece + 1};
     }

@@ -1,32 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <optional>
 
+#include "base/disjoint_sets.h"
 #include "modeler/meshes/mesh_readers.h"
 #include "modeler/meshes/point_index.h"
 
 namespace enfilade::modeler {
 namespace {
-
-/// Sets of points; the lowest of a set stands for it.
-class Clusters {
-public:
-    explicit Clusters(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t find(std::uint32_t v) {
-        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a), b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// Cells so small that all points of one are within the distance of each other; then only pairs of cells are looked at.
 class WeldGrid {
@@ -47,7 +29,7 @@ public:
         index_ = std::move(index);
     }
 
-    void join_near(Clusters& clusters) {
+    void join_near(DisjointSets& clusters) {
         const auto count = static_cast<std::uint32_t>(cells_.size());
         for (std::uint32_t c = 0; c < count; ++c) {
             for (const std::uint32_t v : members_[c]) clusters.join(members_[c].front(), v);
@@ -64,7 +46,7 @@ private:
     }
 
     /// One pair is enough: each cell is one set already.
-    void join_cells(std::uint32_t a, std::uint32_t b, Clusters& clusters) const {
+    void join_cells(std::uint32_t a, std::uint32_t b, DisjointSets& clusters) const {
         for (const std::uint32_t v : members_[a])
             for (const std::uint32_t w : members_[b]) {
                 const MeshPoint &p = points_[v], &q = points_[w];
@@ -94,7 +76,7 @@ std::vector<std::uint32_t> vertex_places(const Mesh& mesh, double distance) {
         distinct_of[v] = index.find_or_add(mesh.points[v], distinct);
         if (distinct_of[v] == distinct.size()) distinct.push_back(mesh.points[v]), first_equal.push_back(v);
     }
-    Clusters clusters(distinct.size());
+    DisjointSets clusters(distinct.size());
     if (distance > 0) WeldGrid(distinct, distance).join_near(clusters);
     std::vector<std::uint32_t> result(mesh.points.size());
     for (std::uint32_t v = 0; v < result.size(); ++v) result[v] = first_equal[clusters.find(distinct_of[v])];

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
+#include "base/disjoint_sets.h"
 #include "gmap/insert.h"
 #include "gmap/remove.h"
 
@@ -53,19 +53,12 @@ void rename(gmap::MapArrays& arrays, std::size_t dimension, std::uint32_t from, 
 /// Makes ids of vertices and edges fit the orbits again where links have joined some: the lowest id for all.
 void merge_ids(gmap::MapArrays& arrays) {
     for (const std::size_t dimension : {0, 1}) {
-        std::vector<std::uint32_t> lowest(arrays.cell_bound[dimension]);
-        std::iota(lowest.begin(), lowest.end(), 0u);
-        const auto root = [&](std::uint32_t id) {
-            while (lowest[id] != id) id = lowest[id] = lowest[lowest[id]];
-            return id;
-        };
+        DisjointSets cells(arrays.cell_bound[dimension]);
         std::vector<std::uint32_t>& ids = arrays.cell_id[dimension];
         for (std::size_t i = 0; i < 4; ++i)
-            for (std::uint32_t d = 0; i != dimension && d < ids.size(); ++d) {
-                const std::uint32_t a = root(ids[d]), b = root(ids[arrays.alpha[i][d]]);
-                lowest[std::max(a, b)] = std::min(a, b);
-            }
-        for (std::uint32_t& id : ids) id = root(id);
+            for (std::uint32_t d = 0; i != dimension && d < ids.size(); ++d)
+                cells.join(ids[d], ids[arrays.alpha[i][d]]);
+        for (std::uint32_t& id : ids) id = cells.find(id);
     }
 }
 
