@@ -22,15 +22,23 @@ struct LayerName {
     const char* title;
     bool on;
 };
-constexpr LayerName layer_names[] = {
-    {"rooms", "Rooms", true},         {"names", "Names, areas", true},  {"walls", "Walls, columns", true},
-    {"doors", "Doors", true},         {"windows", "Windows", true},     {"stairs", "Stairs, shafts", true},
-    {"furniture", "Furniture", true}, {"cells", "Convex cells", false}, {"portals", "Portals", false},
-    {"graph", "Cell graph", false},   {"grid", "Grid", true},           {"pins", "Pins", true}};
+constexpr LayerName layer_names[] = {{"rooms", "Rooms", true},
+                                     {"names", "Names, areas", true},
+                                     {"walls", "Walls, columns", true},
+                                     {"doors", "Doors", true},
+                                     {"windows", "Windows", true},
+                                     {"stairs", "Stairs, shafts", true},
+                                     {"furniture", "Furniture", true},
+                                     {"cells", "Convex cells", false},
+                                     {"portals", "Portals", false},
+                                     {"cuts", "Cuts by area", false},
+                                     {"graph", "Cell graph", false},
+                                     {"grid", "Grid", true},
+                                     {"pins", "Pins", true}};
 
 bool is_of_cells(const LayerName& layer) {
     const std::string_view id = layer.id;
-    return id == "cells" || id == "portals" || id == "graph";
+    return id == "cells" || id == "portals" || id == "cuts" || id == "graph";
 }
 
 std::string title_of(const modeler::StoreyInfo& storey) {
@@ -40,6 +48,15 @@ std::string title_of(const modeler::StoreyInfo& storey) {
 /// A line of a legend.
 std::string key(const char* classes, const char* title) {
     return std::string("<span><span class=\"key ") + classes + "\"></span>" + title + "</span> ";
+}
+
+/// The colours of cuts, as a line of swatches over their areas.
+std::string area_legend() {
+    std::string text = "<p class=\"areas\">Cuts by area, m²</p><div class=\"areas\">";
+    for (std::size_t k = 0; k < area_classes.size(); ++k)
+        text += "<span class=\"a" + std::to_string(k) + "\" title=\"" + area_class_text(k) + " m²\">" +
+                (k == 0 ? "" : decimal(area_classes[k], area_classes[k] < 1 ? 1 : 0)) + "</span>";
+    return text + "</div>";
 }
 
 /// A bar of a round length, a fifth of the drawing wide at most; the script redraws it as the view changes.
@@ -97,7 +114,7 @@ private:
     void collect_cells() {
         std::size_t bytes = 0;
         for (std::uint32_t k = 0; k < view_->storey_count() && bytes <= options_.cell_bytes; ++k) {
-            cells_.push_back(cell_paths(*view_, k));
+            cells_.push_back(cell_paths(cell_plan(*view_, k)));
             bytes += cells_.back().size();
         }
         if (bytes <= options_.cell_bytes) return;
@@ -113,7 +130,7 @@ private:
                "script-src 'unsafe-inline'; img-src data:\">\n"
                "<meta name=\"color-scheme\" content=\"light dark\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
                escaped(name) + ": " + verdict_text(subject_, report_) + "</title>\n<style>\n" +
-               std::string(embedded::page_style) + "</style>\n</head>\n<body>\n";
+               std::string(embedded::page_style) + area_style() + "</style>\n</head>\n<body>\n";
     }
 
     [[nodiscard]] std::string tabs(const char* what) const {
@@ -142,7 +159,7 @@ private:
         if (cells_left_out_) text += "<p>Cells and portals are left out: there are too many to draw.</p>";
         else
             text += "<p class=\"legend\">" + key("clear", "clear") + key("border", "open border") +
-                    key("glass", "glass") + key("shut", "shut door") + "</p>";
+                    key("glass", "glass") + key("shut", "shut door") + "</p>" + area_legend();
         return text + "</div></details>\n";
     }
 

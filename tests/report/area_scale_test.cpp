@@ -61,10 +61,14 @@ TEST(AreaScale, NamesEveryClass) {
     EXPECT_EQ(names.size(), area_classes.size());
 }
 
-TEST(AreaScale, GivesPagesOneVariableAClass) {
-    const std::string text = area_variables(Ground::Dark);
-    for (std::size_t k = 0; k < area_classes.size(); ++k)
-        EXPECT_NE(text.find("--a" + std::to_string(k) + ": " + area_colour(k, Ground::Dark) + ";"), std::string::npos);
+TEST(AreaScale, GivesPagesEveryColourOfBothGrounds) {
+    const std::string page = area_style(), picture = plain_area_style();
+    for (std::size_t k = 0; k < area_classes.size(); ++k) {
+        const std::string name = ".a" + std::to_string(k) + " { ";
+        EXPECT_NE(page.find(name + "--area: " + area_colour(k, Ground::Light) + ";"), std::string::npos);
+        EXPECT_NE(page.find(name + "--area: " + area_colour(k, Ground::Dark) + ";"), std::string::npos);
+        EXPECT_NE(picture.find(name + "stroke: " + area_colour(k, Ground::Light) + ";"), std::string::npos);
+    }
 }
 
 }  // namespace

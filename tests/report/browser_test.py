@@ -27,7 +27,7 @@ if not (shutil.which("chromium") and shutil.which("chromedriver")):
 
 WRITER = sys.argv[1]
 SCREENSHOTS = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-LAYERS = ["rooms", "names", "walls", "doors", "windows", "stairs", "furniture", "cells", "portals", "graph", "grid", "pins"]
+LAYERS = ["rooms", "names", "walls", "doors", "windows", "stairs", "furniture", "cells", "portals", "cuts", "graph", "grid", "pins"]
 
 
 def start_browser():

@@ -84,13 +84,13 @@ TEST(StoreyDrawing, HasARoomForEachAndOutlinesOfTheBlamed) {
 TEST(StoreyDrawing, CellsAndPortalsAreLayers) {
     const modeler::Building building = testing::cells_of(testing::two_rooms());
     const PlanView view(building);
-    const CellPaths cells = cell_paths(view, 0);
+    const CellPaths cells = cell_paths(cell_plan(view, 0));
     EXPECT_FALSE(cells.clear.empty());
     EXPECT_FALSE(cells.glass.empty());
     EXPECT_FALSE(cells.links.empty());
     const std::string drawing = storey_drawing(view, find_passages(view), 0, &cells, {});
     for (const char* layer : {"grid", "rooms", "stairs", "furniture", "walls", "windows", "doors", "marks", "cells",
-                              "portals", "graph", "names"})
+                              "portals", "cuts", "graph", "names"})
         EXPECT_EQ(count(drawing, std::string("layer layer-") + layer + "\""), 1u) << layer;
 }
 

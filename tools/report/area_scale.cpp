@@ -29,10 +29,21 @@ const char* area_colour(std::size_t area_class, Ground ground) {
     return (ground == Ground::Light ? on_light : on_dark)[std::min(area_class, area_classes.size() - 1)];
 }
 
-std::string area_variables(Ground ground) {
+std::string area_style() {
+    const auto rules = [](Ground ground) {
+        std::string text;
+        for (std::size_t k = 0; k < area_classes.size(); ++k)
+            text += ".a" + std::to_string(k) + " { --area: " + area_colour(k, ground) + "; } ";
+        return text;
+    };
+    return rules(Ground::Light) + "\n@media (prefers-color-scheme: dark) { " + rules(Ground::Dark) +
+           "}\n@media print { " + rules(Ground::Light) + "}\n";
+}
+
+std::string plain_area_style() {
     std::string text;
     for (std::size_t k = 0; k < area_classes.size(); ++k)
-        text += "--a" + std::to_string(k) + ": " + area_colour(k, ground) + "; ";
+        text += ".a" + std::to_string(k) + " { stroke: " + area_colour(k, Ground::Light) + "; }\n";
     return text;
 }
 

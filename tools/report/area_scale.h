@@ -21,8 +21,11 @@ enum class Ground { Light, Dark };
 /// red to violet, and leaves green and blue to doors and windows.
 [[nodiscard]] const char* area_colour(std::size_t area_class, Ground ground);
 
-/// `--a0:#rrggbb; --a1:...` for a page's style.
-[[nodiscard]] std::string area_variables(Ground ground);
+/// Rules for a page that may be light or dark: what has class `a0`, `a1`, ... strokes with its class's colour, which is
+/// `var(--area)` to others.
+[[nodiscard]] std::string area_style();
+/// The same for a picture on a light ground, without variables.
+[[nodiscard]] std::string plain_area_style();
 
 /// "up to 0.5", "0.5 to 1", ... "over 32", in m2.
 [[nodiscard]] std::string area_class_text(std::size_t area_class);

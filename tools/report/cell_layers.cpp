@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "modeler/face_label.h"
 
@@ -14,14 +13,37 @@ using modeler::FaceKind;
 using modeler::Volume;
 
 namespace {
-/// All portals between two cells: their middles times their lengths.
+/// All portals between two cells: their areas, and their middles times their lengths. Convex cells meet in one plane,
+/// so to a ray they are one.
 struct Joint {
-    double length = 0, x = 0, y = 0;
+    double area = 0, length = 0, x = 0, y = 0;
 };
+using CellPair = std::pair<std::uint32_t, std::uint32_t>;
+
+SvgPath* path_of(CellPaths& paths, SideKind kind, double area) {
+    switch (kind) {
+        case SideKind::Solid: return nullptr;
+        case SideKind::Leaf: return &paths.leaves;
+        case SideKind::Clear: return &paths.clear;
+        case SideKind::Glass: return &paths.glass;
+        case SideKind::Seam: return &paths.border;
+        case SideKind::Cut: return &paths.cuts[area_class(area)];
+    }
+    return nullptr;
+}
 }  // namespace
 
+SideKind side_kind(accel::PortalKind kind, bool same_space) {
+    if (kind == accel::PortalKind::Glass) return SideKind::Glass;
+    if (kind == accel::PortalKind::Clear) return SideKind::Clear;
+    return same_space ? SideKind::Cut : SideKind::Seam;
+}
+
 std::size_t CellPaths::size() const {
-    return cells.size() + clear.size() + border.size() + glass.size() + leaves.size() + nodes.size() + links.size();
+    std::size_t bytes =
+        cells.size() + clear.size() + border.size() + glass.size() + leaves.size() + nodes.size() + links.size();
+    for (const SvgPath& path : cuts) bytes += path.size();
+    return bytes;
 }
 
 CellCounts count_cells(const modeler::Building& building) {
@@ -32,40 +54,67 @@ CellCounts count_cells(const modeler::Building& building) {
     return counts;
 }
 
-CellPaths cell_paths(const PlanView& view, std::uint32_t storey) {
+CellPlan cell_plan(const PlanView& view, std::uint32_t storey) {
     const modeler::Building& building = view.building();
     const modeler::OpeningFaces openings(building);
     const std::int32_t level = view.cut_level(storey);
-    CellPaths paths;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Joint> joints;  // by cells
-    for (const Volume& volume : building.volumes)
-        if (carries_light(volume.label) && view.is_cut(storey, volume))
-            paths.nodes.dot(view.middle(building.pieces[volume.piece]));
+    CellPlan plan;
+    for (std::uint32_t v = 0; v < building.volumes.size(); ++v)
+        if (carries_light(building.volumes[v].label) && view.is_cut(storey, building.volumes[v]))
+            plan.middles.emplace(v, view.middle(building.pieces[building.volumes[v].piece]));
     for (const Face& face : building.faces) {
         if (face.direction != Direction::Side || face.z_low > level || face.z_high <= level) continue;
         const Volume &front = building.volumes[face.front], &back = building.volumes[face.back];
         if (!carries_light(front.label) && !carries_light(back.label)) continue;
-        const Mm a = view.mm(building.points[building.edges[face.edge].a]);
-        const Mm b = view.mm(building.points[building.edges[face.edge].b]);
-        paths.cells.segment(a, b);
+        const plans::GridPoint a = building.points[building.edges[face.edge].a];
+        const plans::GridPoint b = building.points[building.edges[face.edge].b];
         const FaceKind kind = modeler::face_kind(building, openings, face);
-        if (kind.forced) paths.leaves.segment(a, b);
-        if (!kind.is_portal) continue;
-        SvgPath& portal = kind.portal == accel::PortalKind::Clear     ? paths.clear
-                          : kind.portal == accel::PortalKind::Virtual ? paths.border
-                                                                      : paths.glass;
-        portal.segment(a, b);
-        Joint& joint = joints[std::minmax(face.front, face.back)];
+        CellSide side{view.mm(a), view.mm(b), face.front, face.back};
+        if (kind.forced) side.kind = SideKind::Leaf;
+        else if (kind.is_portal) side.kind = side_kind(kind.portal, front.space == back.space);
+        const double unit = building.frame.unit;
+        side.area_m2 = std::hypot(double(b.x) - a.x, double(b.y) - a.y) * unit * (face.z_high - face.z_low) * unit;
+        plan.sides.push_back(side);
+    }
+    return plan;
+}
+
+CellPaths cell_paths(const CellPlan& plan) {
+    CellPaths paths;
+    std::map<CellPair, Joint> joints;
+    const auto is_portal = [](const CellSide& side) { return side.kind > SideKind::Leaf; };
+    for (const CellSide& side : plan.sides) {
+        if (!is_portal(side)) continue;
+        Joint& joint = joints[std::minmax(side.front, side.back)];
+        const Mm a = side.from, b = side.to;
         const double length = std::hypot(double(b.x - a.x), double(b.y - a.y)) + 1e-6;
-        joint.length += length;
+        joint.area += side.area_m2, joint.length += length;
         joint.x += length * double(a.x + b.x) / 2, joint.y += length * double(a.y + b.y) / 2;
     }
+    for (const auto& [cell, middle] : plan.middles) paths.nodes.dot(middle);
+    for (const CellSide& side : plan.sides) {
+        paths.cells.segment(side.from, side.to);
+        const double area = is_portal(side) ? joints.at(std::minmax(side.front, side.back)).area : 0;
+        if (SvgPath* path = path_of(paths, side.kind, area)) path->segment(side.from, side.to);
+    }
+    if (plan.middles.empty()) return paths;
     for (const auto& [cells, joint] : joints) {
-        paths.links.move(view.middle(building.pieces[building.volumes[cells.first].piece]));
+        paths.links.move(plan.middles.at(cells.first));
         paths.links.line({std::llround(joint.x / joint.length), std::llround(joint.y / joint.length)});
-        paths.links.line(view.middle(building.pieces[building.volumes[cells.second].piece]));
+        paths.links.line(plan.middles.at(cells.second));
     }
     return paths;
+}
+
+std::string portal_tags(const CellPaths& paths) {
+    return path_tag("portal clear", paths.clear) + path_tag("portal border", paths.border) +
+           path_tag("portal glass", paths.glass) + path_tag("portal shut", paths.leaves);
+}
+
+std::string cut_tags(const CellPaths& paths) {
+    std::string text;
+    for (std::size_t k = 0; k < paths.cuts.size(); ++k) text += path_tag("cut a" + std::to_string(k), paths.cuts[k]);
+    return text;
 }
 
 }  // namespace enfilade::tools

@@ -5,9 +5,10 @@
 #include <map>
 
 #include "modeler/outline.h"
+#include "tools/console.h"
 #include "tools/report/html_text.h"
+#include "tools/report/name_layer.h"
 #include "tools/report/plan_symbols.h"
-#include "tools/report/room_label.h"
 #include "tools/report/wall_outline.h"
 
 namespace enfilade::tools {
@@ -18,11 +19,6 @@ using modeler::SpacePart;
 
 /// Drawings are in millimetres with y up, pages in metres with y down.
 constexpr const char* to_page = " transform=\"scale(.001 -.001)\"";
-
-std::string path_tag(const char* classes, const SvgPath& path) {
-    if (path.empty()) return "";
-    return std::string("<path class=\"") + classes + "\" d=\"" + path.text() + "\"/>\n";
-}
 
 std::string layer(const char* name, const std::string& content) {
     return std::string("<g class=\"layer layer-") + name + "\"" + to_page + ">\n" + content + "</g>\n";
@@ -38,50 +34,12 @@ const char* tint_of(const std::string& kind) {
     return found == tints.end() ? "room" : found->second;
 }
 
-/// Names by font size: small ones are not shown from afar.
-class NameLayer {
-public:
-    void add(const std::vector<std::vector<Mm>>& rings, Mm at, const std::string& name, double area,
-             std::span<const MmBox> obstacles) {
-        const std::string measure = area_text(area);
-        const RoomLabel label = fit_label(rings, at, name, measure, obstacles);
-        if (label.size == 0) return;
-        const double lines = double(label.lines.size()) + (label.with_area ? 0.78 : 0);
-        std::string text = "<g";
-        if (label.upright)
-            text += " transform=\"translate(" + std::to_string(label.at.x) + " " + std::to_string(-label.at.y) +
-                    ") rotate(-90)\"";
-        const std::int64_t x = label.upright ? 0 : label.at.x, middle = label.upright ? 0 : -label.at.y;
-        text += ">";
-        double y = double(middle) - lines * 1.2 * label.size / 2;
-        const auto line = [&](const std::string& words, double size, const char* classes) {
-            y += 1.2 * size;
-            text += "<text" + std::string(classes) + " x=\"" + std::to_string(x) + "\" y=\"" +
-                    decimal(y - 0.32 * size, 0) + "\">" + escaped(words) + "</text>";
-        };
-        for (const std::string& words : label.lines) line(words, label.size, "");
-        if (label.with_area) line(measure, 0.78 * label.size, " class=\"area\"");
-        by_size_[label.size] += text + "</g>\n";
-    }
-
-    [[nodiscard]] std::string text() const {
-        std::string all = "<g class=\"layer layer-names\" transform=\"scale(.001)\">\n";
-        for (const auto& [size, texts] : by_size_)
-            all += "<g class=\"names\" data-size=\"" + decimal(size / 1000.0, 2) +
-                   "\" style=\"--size:" + std::to_string(size) + "px\">\n" + texts + "</g>\n";
-        return all + "</g>\n";
-    }
-
-private:
-    std::map<int, std::string> by_size_;
-};
-
 class StoreyDrawer {
 public:
-    StoreyDrawer(const PlanView& view, const Passages& passages, std::uint32_t storey)
-        : view_(view), storey_(storey), doors_(door_paths(view, passages, storey)) {}
+    StoreyDrawer(const PlanView& view, const Passages& passages, std::uint32_t storey, const CellPaths* cells)
+        : view_(view), storey_(storey), cells_(cells), doors_(door_paths(view, passages, storey)) {}
 
-    std::string run(const CellPaths* cells, const std::set<std::string>& blamed) {
+    std::string run(const std::set<std::string>& blamed) {
         std::string drawing = layer("grid", grid());
         drawing += layer("rooms", outdoors() + rooms());
         drawing += layer("stairs", stairs());
@@ -90,7 +48,7 @@ public:
         drawing += layer("windows", windows());
         drawing += layer("doors", doors());
         drawing += layer("marks", marks(blamed));
-        if (cells) drawing += cell_drawing(*cells);
+        if (cells_) drawing += cell_drawing(*cells_);
         return drawing + names_.text();
     }
 
@@ -116,10 +74,11 @@ private:
     }
 
     std::string titled_room(const char* tint, const std::string& id, const std::string& name, const std::string& kind,
-                            double area, const SvgPath& path) const {
+                            double area, const SvgPath& path, const std::string& cells = "") const {
         std::string title = name.empty() ? "Unnamed room" : escaped(name);
         title += ", " + area_text(area);
         if (kind != "room" && !kind.empty()) title += ", " + escaped(kind);
+        if (!cells.empty()) title += ", " + cells;
         return std::string("<path class=\"room t-") + tint + "\" data-el=\"" + escaped(id) + "\" d=\"" + path.text() +
                "\"><title>" + title + "</title></path>\n";
     }
@@ -145,7 +104,7 @@ private:
             path.ring(ring);
             const double area = std::abs(twice) / 2, n = double(ring.size());
             text += titled_room("out", room.id, room.name, room.kind, area, path);
-            names_.add({ring}, view_.mm(x / n, y / n), room.name, area, doors_.swept);
+            names_.add({ring}, view_.mm(x / n, y / n), {room.name, area_text(area), ""}, doors_.swept);
         }
         return text;
     }
@@ -162,9 +121,10 @@ private:
             SvgPath path;
             view_.add(part, path);
             const double area = modeler::area_m2(view_.building(), part);
-            text += titled_room(tint_of(space.kind), space.id, space.name, space.kind, area, path);
+            const std::string cells = cells_ ? counted(part.volumes.size(), "cell") : "";
+            text += titled_room(tint_of(space.kind), space.id, space.name, space.kind, area, path, cells);
             const auto [x, y] = modeler::label_point(view_.building(), part);
-            names_.add(view_.rings(part), view_.mm(x, y), space.name, area, doors_.swept);
+            names_.add(view_.rings(part), view_.mm(x, y), {space.name, area_text(area), cells}, doors_.swept);
         }
         return path_tag("threshold", thresholds) + text + path_tag("seam", seams());
     }
@@ -236,14 +196,14 @@ private:
     }
 
     static std::string cell_drawing(const CellPaths& cells) {
-        return layer("cells", path_tag("cell", cells.cells)) +
-               layer("portals", path_tag("portal clear", cells.clear) + path_tag("portal border", cells.border) +
-                                    path_tag("portal glass", cells.glass) + path_tag("portal shut", cells.leaves)) +
+        return layer("cells", path_tag("cell", cells.cells)) + layer("portals", portal_tags(cells)) +
+               layer("cuts", cut_tags(cells)) +
                layer("graph", path_tag("link", cells.links) + path_tag("node", cells.nodes));
     }
 
     const PlanView& view_;
     std::uint32_t storey_;
+    const CellPaths* cells_;
     DoorPaths doors_;
     NameLayer names_;
 };
@@ -252,7 +212,7 @@ private:
 
 std::string storey_drawing(const PlanView& view, const Passages& passages, std::uint32_t storey, const CellPaths* cells,
                            const std::set<std::string>& blamed) {
-    return StoreyDrawer(view, passages, storey).run(cells, blamed);
+    return StoreyDrawer(view, passages, storey, cells).run(blamed);
 }
 
 DrawnBox drawn_box(const PlanView& view) {

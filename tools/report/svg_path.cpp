@@ -79,4 +79,9 @@ void SvgPath::dot(Mm at) {
     last_ = 'h';
 }
 
+std::string path_tag(const std::string& classes, const SvgPath& path) {
+    if (path.empty()) return "";
+    return "<path class=\"" + classes + "\" d=\"" + path.text() + "\"/>\n";
+}
+
 }  // namespace enfilade::tools

@@ -51,4 +51,7 @@ private:
     char last_ = 0;
 };
 
+/// `<path class="CLASSES" d="..."/>` with a line end; nothing for an empty path.
+[[nodiscard]] std::string path_tag(const std::string& classes, const SvgPath& path);
+
 }  // namespace enfilade::tools
