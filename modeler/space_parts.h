@@ -35,6 +35,14 @@ struct SpacePart {
 /// Square metres, exact but for the last rounding.
 [[nodiscard]] double area_m2(const Building& building, const SpacePart& part);
 
+/// A side of an outline, in grid units or millimetres.
+struct OutlineSide {
+    double ax, ay, bx, by;
+};
+/// The point furthest from the sides of a polygon with holes, near its middle, where a person would write its name.
+/// \pre sides form closed loops
+[[nodiscard]] std::array<double, 2> label_point(std::vector<OutlineSide> sides);
+
 /// A point inside the part, away from its border, for a label: world metres (x, y).
 [[nodiscard]] std::array<double, 2> label_point(const Building& building, const SpacePart& part);
 

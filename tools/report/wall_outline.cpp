@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "modeler/outline.h"
+#include "tools/report/ring_chain.h"
 
 namespace enfilade::tools {
 namespace {
@@ -21,27 +22,19 @@ public:
             held_[view_.building().corners[piece.first_corner + k].half_edge] = 1;
     }
 
-    /// Rings that go on anywhere where several meet: filled, they all look the same.
     [[nodiscard]] SvgPath path() const {
         const modeler::Building& building = view_.building();
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> border;  // starting point, half-edge
-        for (std::uint32_t h = 0; h < held_.size(); ++h)
-            if (held_[h] && !held_[h ^ 1]) border.push_back({modeler::start_of(building, h), h});
-        std::sort(border.begin(), border.end());
-        std::vector<std::uint8_t> used(border.size(), 0);
-        const auto next = [&](std::uint32_t h) {
-            const std::pair<std::uint32_t, std::uint32_t> low = {modeler::start_of(building, h ^ 1), 0};
-            auto at = std::lower_bound(border.begin(), border.end(), low);
-            while (at != border.end() && at->first == low.first && used[std::size_t(at - border.begin())]) ++at;
-            return at == border.end() || at->first != low.first ? border.size() : std::size_t(at - border.begin());
-        };
+        std::vector<std::uint32_t> border;  // half-edges
+        std::vector<std::array<std::uint32_t, 2>> sides;
+        for (std::uint32_t h = 0; h < held_.size(); ++h) {
+            if (!held_[h] || held_[h ^ 1]) continue;
+            border.push_back(h);
+            sides.push_back({modeler::start_of(building, h), modeler::start_of(building, h ^ 1)});
+        }
         SvgPath path;
-        for (std::size_t k = 0; k < border.size(); ++k) {
+        for (const std::vector<std::uint32_t>& chain : chain_rings(sides)) {
             HalfEdgeRing ring;
-            for (std::size_t at = k; at < border.size() && !used[at]; at = next(border[at].second)) {
-                used[at] = 1;
-                ring.push_back(border[at].second);
-            }
+            for (const std::uint32_t k : chain) ring.push_back(border[k]);
             if (ring.size() >= 3) path.ring(view_.ring(ring));
         }
         return path;
