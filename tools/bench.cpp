@@ -58,8 +58,12 @@ void Bench::begin(std::string name, const std::string& sentence) {
 }
 
 void Bench::add(BenchRow row) {
-    row.bench = name_;
     console_->say(row_text(row));
+    add_silently(std::move(row));
+}
+
+void Bench::add_silently(BenchRow row) {
+    row.bench = name_;
     rows_.push_back(std::move(row));
 }
 

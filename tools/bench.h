@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -48,22 +49,28 @@ struct BenchRow {
 /// The run of one benchmark or of several: collects rows and prints each one as it comes.
 class Bench {
 public:
-    Bench(const Console& console, bool quick) : console_(&console), quick_(quick) {}
+    /// `data`: the folder of real plans, absent or not.
+    Bench(const Console& console, bool quick, std::filesystem::path data)
+        : console_(&console), quick_(quick), data_(std::move(data)) {}
 
     /// Short enough that the whole benchmark ends within 40 s.
     [[nodiscard]] bool quick() const { return quick_; }
+    [[nodiscard]] const std::filesystem::path& data() const { return data_; }
     [[nodiscard]] const Console& console() const { return *console_; }
     [[nodiscard]] const std::vector<BenchRow>& rows() const { return rows_; }
 
     void begin(std::string name, const std::string& sentence);
     /// Its `bench` is filled in.
     void add(BenchRow row);
+    /// The same without a line of its own: for many rows that a remark sums up.
+    void add_silently(BenchRow row);
     /// A remark that belongs to the table: what was skipped, and why.
     void remark(const std::string& sentence);
 
 private:
     const Console* console_;
     bool quick_;
+    std::filesystem::path data_;
     std::string name_;
     std::vector<BenchRow> rows_;
 };
@@ -137,6 +144,7 @@ private:
 void bench_build(Bench& bench);
 void bench_cells(Bench& bench);
 void bench_check(Bench& bench);
+void bench_convexify(Bench& bench);
 void bench_dial(Bench& bench);
 void bench_gmap(Bench& bench);
 void bench_scene(Bench& bench);

@@ -16,6 +16,7 @@
 #include "render/oracle.h"
 #include "render/trace.h"
 #include "tools/bench.h"
+#include "tools/floor_views.h"
 #include "tools/random_rays.h"
 
 namespace enfilade::tools {
@@ -30,38 +31,8 @@ accel::Scene office_floor(std::uint32_t rooms) {
     return modeler::export_scene(building, modeler::check(building), "{}");
 }
 
-/// Eight cameras in rooms spread over the floor, each turned by the golden angle from the one before.
-std::vector<render::Camera> floor_views(const accel::SceneView& scene) {
-    std::vector<std::size_t> room_cells;
-    for (std::size_t c = 0; c < scene.cells.size(); ++c)
-        if (scene.cells[c].label == accel::Label::Room) room_cells.push_back(c);
-    std::vector<render::Camera> views;
-    for (std::size_t k = 0; k < view_count; ++k) {
-        const accel::Cell& cell = scene.cells[room_cells[(2 * k + 1) * room_cells.size() / (2 * view_count)]];
-        render::Vec3d eye = {0, 0, cell.z_floor + 1.6};
-        for (std::uint32_t s = cell.first_section; s < cell.first_section + cell.section_count; ++s)
-            eye = eye + (1.0 / cell.section_count) * render::Vec3d{scene.section_x[s], scene.section_y[s], 0};
-        const double angle = 2.399963229728653 * double(k);
-        render::Camera camera;
-        camera.eye = eye;
-        camera.target = eye + render::Vec3d{std::cos(angle), std::sin(angle), -0.05};
-        camera.width = camera.height = side;
-        views.push_back(camera);
-    }
-    return views;
-}
-
-struct PreparedView {
-    render::CameraFrame frame;
-    accel::CellId start;
-};
-
 void bench_pictures(Bench& bench, const accel::SceneView& scene, const std::string& name) {
-    std::vector<PreparedView> views;
-    for (const render::Camera& camera : floor_views(scene)) {
-        const render::CameraFrame frame = render::make_frame(camera);
-        views.push_back({frame, render::start_cell(scene, frame)});
-    }
+    const std::vector<PreparedView> views = prepared(scene, floor_views(scene, view_count, side));
     const render::EmbreeReference embree(scene);
     const accel::SerialExecutor one_thread;
     render::Image image(side, side);

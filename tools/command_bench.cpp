@@ -23,6 +23,8 @@ constexpr std::array entries = {
     Entry{"gmap", "the topological kernel: bytes a dart, validation", bench_gmap},
     Entry{"scene", "loading and validating a scene file", bench_scene},
     Entry{"cells", "tracing through cells, against Embree on the same rays", bench_cells},
+    Entry{"convexify", "the ways to cut rooms into cells: how few, how fast, and what rays make of them",
+          bench_convexify},
     Entry{"dial", "what each option costs in time and memory, and what it errs", bench_dial},
 };
 
@@ -49,7 +51,7 @@ std::string bench_list() {
 }
 
 int run_bench(const BenchOptions& options, const Console& console) {
-    Bench bench(console, options.quick);
+    Bench bench(console, options.quick, options.data);
     bool known = options.name == "all";
     for (const Entry& entry : entries) known = known || options.name == entry.name;
     if (!known)

@@ -119,7 +119,8 @@ struct BenchOptions {
     std::string name;
     bool quick = false;
     bool strict = false;
-    std::filesystem::path json;  ///< empty: none
+    std::filesystem::path json;                     ///< empty: none
+    std::filesystem::path data = "../shared/data";  ///< real plans, which `convexify` reads where they are there
 };
 int run_bench(const BenchOptions& options, const Console& console);
 /// The names that `bench` takes, each with its sentence.

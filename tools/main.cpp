@@ -249,6 +249,9 @@ void add_bench(CLI::App& app, Invocation& invocation, BenchOptions& options) {
     add_positional(command, "NAME", options.name, "which one:\n" + bench_list());
     command->add_flag("--quick", options.quick, "smaller inputs and fewer runs: at most 40 seconds");
     add_value(command, "--json", options.json, "FILE", "also write the rows to this file");
+    add_value(command, "--data", options.data, "FOLDER",
+              "where other people's plans lie, in sh3d, dxf and other; benchmarks of them are left out without it "
+              "(../shared/data)");
     command->add_flag("--strict", options.strict, "end with 1 where a goal is not met");
 }
 

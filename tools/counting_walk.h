@@ -1,0 +1,26 @@
+#pragma once
+// What a ray meets on its way, counted.
+
+#include <cstdint>
+#include <span>
+
+#include "accel/scene.h"
+#include "render/trace_rays.h"
+
+namespace enfilade::tools {
+
+struct WalkCount {
+    std::uint64_t visits = 0;    ///< cells
+    std::uint64_t sections = 0;  ///< of the cells visited: each is tested
+    std::uint64_t tested = 0;    ///< side faces whose top was asked for, in the sections by which cells are left
+    std::uint64_t faces = 0;     ///< all side faces of the cells visited, tested or not
+
+    friend WalkCount operator+(const WalkCount& a, const WalkCount& b) {
+        return {a.visits + b.visits, a.sections + b.sections, a.tested + b.tested, a.faces + b.faces};
+    }
+};
+
+/// The walk of one ray in float, as `trace_rays` does it.
+[[nodiscard]] WalkCount counted_walk(const accel::SceneView& scene, const render::RayQuery& ray);
+
+}  // namespace enfilade::tools
