@@ -18,6 +18,9 @@ struct Chain {
     std::uint32_t count = 0;
 };
 
+/// Rings that take more than this times the square of their corners are cut otherwise. (Spirals take 1.)
+constexpr std::uint64_t work_per_square = 8;
+
 enum class Growth : std::uint8_t { Forwards, Backwards };
 
 /// The rest of the polygon, from which pieces are cut. Corners are positions in the ring at the start; corner k stands
@@ -38,8 +41,7 @@ public:
         for (std::uint32_t k = 0; k < count_; ++k)
             if ((is_notch_[k] = turn(k) < 0)) notches.push_back(k);
         grid_ = NotchGrid(at_, notches);
-        // About what a grid of notches costs that does not help at all.
-        work_left_ = 64 * std::uint64_t(count_) * count_ + 4096;
+        work_left_ = work_per_square * count_ * count_ + 65536;
     }
 
     /// Cuts pieces off until the rest is convex, or there is none to cut off; returns whether it is convex.
