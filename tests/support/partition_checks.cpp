@@ -159,8 +159,7 @@ private:
             const auto [found, is_new] = at.try_emplace(points_[side.from], side.from);
             if (!is_new && found->second != side.from) fault("two points lie at " + place(points_[side.from]));
         }
-        for (std::size_t p = given_; p < points_.size(); ++p)
-            if (!at.contains(points_[p])) fault("nothing uses the new point " + place(points_[p]));
+        for (std::size_t p = given_; p < points_.size(); ++p) verdict_.unused += !at.contains(points_[p]);
     }
 
     void check_area() {
@@ -191,6 +190,9 @@ private:
             if (off > most_stray + 1e-9) fault(piece + " leaves one of its lines by " + std::to_string(off) + " units");
             const PieceShape shape = piece_shape(points_, ring);
             verdict_.dent = std::max(verdict_.dent, shape.dent);
+            if (shape.dent > most_dent)
+                fault(piece + " is dented by " + std::to_string(shape.dent) +
+                      " units, though no corner counts as reflex");
             if (shape.width >= modeler::least_gap) continue;
             if (shape.between_walls) ++verdict_.thin_walls;
             else if (std::any_of(ring.begin(), ring.end(), [&](const PolygonSide& s) { return s.from >= given_; }))
