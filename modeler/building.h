@@ -11,6 +11,7 @@
 #include "base/id.h"
 #include "gmap/defect.h"
 #include "gmap/map.h"
+#include "modeler/cutting/cut.h"
 #include "modeler/stack.h"
 #include "plans/grid.h"
 
@@ -85,6 +86,8 @@ struct Building {
 
     std::string plan_json;          ///< the cleaned plan, canonical
     Stack stack;                    ///< what the volumes were made from; empty in a building read back from a scene
+    CutOptions cut_options;         ///< how its regions were cut
+    std::vector<RegionCut> cuts;    ///< [stack.regions.size()] for edits: regions that do not change are not cut again
     std::vector<Finding> findings;  ///< of the readers, of cleaning, of arranging and of stacking
 };
 

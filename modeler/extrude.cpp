@@ -64,7 +64,8 @@ private:
             std::int32_t z = stack_.bands[b].z_low;
             for (std::uint32_t s = 0; s < column.slice_count; ++s) {
                 const Slice& slice = stack_.slices[column.first_slice + s];
-                const bool continues = below && s == 0 && below->space == slice.space && slice.label == Label::Exterior;
+                const bool continues = below && s == 0 && below->space == slice.space &&
+                                       (slice.label == Label::Exterior || slice.label == Label::Object);
                 visit(slice, z, continues);
                 z = slice.z_high;
                 below = &slice;

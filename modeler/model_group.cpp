@@ -143,6 +143,8 @@ Json meta_json(const Building& building) {
     for (const Space& space : building.spaces)
         meta["spaces"].push_back({int(space.label), space.id, space.name, space.kind, space.storey, space.area_m2,
                                   colour_json(space.colour), colour_json(space.ceiling_colour), space.closed});
+    for (std::uint32_t k = 0; k < building.spaces.size(); ++k)
+        if (building.spaces[k].room != UINT32_MAX) meta["object_rooms"].push_back({k, building.spaces[k].room});
     for (const StoreyInfo& storey : building.storeys)
         meta["storeys"].push_back({storey.id, storey.name, storey.z_floor, storey.z_ceiling});
     meta["line_count"] = building.line_count;
@@ -168,8 +170,14 @@ void read_meta(const Json& meta, Building& building) {
         const int label = row.at(0);
         if (label < 0 || label >= accel::label_count) damaged("a space has no known label");
         building.spaces.push_back({Label(label), row.at(1), row.at(2), row.at(3), row.at(4), row.at(5),
-                                   colour_from(row.at(6)), colour_from(row.at(7)), row.at(8)});
+                                   colour_from(row.at(6)), colour_from(row.at(7)), row.at(8), UINT32_MAX});
     }
+    if (meta.contains("object_rooms"))
+        for (const Json& row : meta.at("object_rooms")) {
+            const auto [object, room] = row.get<std::array<std::uint32_t, 2>>();
+            if (object >= building.spaces.size() || room >= building.spaces.size()) damaged("a space out of range");
+            building.spaces[object].room = room;
+        }
     for (const Json& row : meta.at("storeys")) building.storeys.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
     building.line_count = meta.at("line_count");
     for (const Json& row : meta.at("wall_colours"))

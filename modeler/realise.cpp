@@ -30,6 +30,11 @@ void describe_plan(const Stack& stack, const PlanGraph& graph, const CutPieces& 
 }  // namespace
 
 Building realise(Stack stack, const CutOptions& options, const accel::Executor& executor) {
+    std::vector<RegionCut> cuts = cut_regions(stack, options, executor);
+    return realise(std::move(stack), options, std::move(cuts));
+}
+
+Building realise(Stack stack, const CutOptions& options, std::vector<RegionCut> cuts) {
     Building building;
     building.frame = stack.frame;
     building.site_min = {stack.site_min.x, stack.site_min.y, stack.bands.front().z_low};
@@ -38,7 +43,7 @@ Building realise(Stack stack, const CutOptions& options, const accel::Executor& 
     building.storeys = stack.storeys;
     building.convex = options.convex;
 
-    CutPieces pieces = join_cuts(stack, cut_regions(stack, options, executor));
+    CutPieces pieces = join_cuts(stack, cuts);
     PlanGraph graph = plan_graph(stack, pieces, building.findings);
     for (int pass = 0; !graph.tangled.empty() && pass < most_recuts; ++pass) {
         pieces = cut_tangled(stack, pieces, graph, options.convex);
@@ -53,6 +58,8 @@ Building realise(Stack stack, const CutOptions& options, const accel::Executor& 
     building.vertices = std::move(extrusion.vertices);
     building.map = gmap::build_map(extrusion.tuples, building.map_defects);
     building.stack = std::move(stack);
+    building.cut_options = options;
+    building.cuts = std::move(cuts);
     return building;
 }
 

@@ -15,4 +15,7 @@ namespace enfilade::modeler {
 [[nodiscard]] Building realise(Stack stack, const CutOptions& options,
                                const accel::Executor& executor = accel::SerialExecutor());
 
+/// The same from regions that have been cut already. \pre cuts: one for each region of the stack, by these options
+[[nodiscard]] Building realise(Stack stack, const CutOptions& options, std::vector<RegionCut> cuts);
+
 }  // namespace enfilade::modeler

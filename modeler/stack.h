@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accel/label.h"
 #include "base/finding.h"
+#include "modeler/editing/box.h"
 #include "plans/layout.h"
 #include "plans/plan.h"
 
@@ -27,6 +29,7 @@ struct Space {
     std::optional<plans::Colour> colour;          ///< of its surfaces; of rooms: the floor
     std::optional<plans::Colour> ceiling_colour;  ///< of rooms
     bool closed = false;                          ///< a door whose leaf is shut
+    std::uint32_t room = UINT32_MAX;              ///< of objects: the space in which they stand
 };
 
 struct StoreyInfo {
@@ -97,6 +100,8 @@ struct Stack {
     std::vector<StoreyInfo> storeys;
     std::uint32_t line_count = 0;
     std::vector<WallColour> wall_colours;  ///< by line, then space
+    std::vector<Box> boxes;                ///< by id: what stands in its rooms (editing/place_boxes.h)
+    std::shared_ptr<const Stack> bare;     ///< the same without the boxes; none where there are none
 };
 
 inline constexpr std::uint32_t exterior_space = 0;

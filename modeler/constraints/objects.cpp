@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -261,21 +262,33 @@ private:
             ++report_.suppressed;
             return;
         }
-        std::set<std::uint32_t> around;
-        for (const std::uint32_t f : subject_.faces.of_volume(v)) {
-            const std::uint32_t other = subject_.faces[f].beyond(v);
-            if (other >= building_.volumes.size()) continue;
-            const Volume& beside = building_.volumes[other];
-            if (blame_.volume[other]) return void(++report_.suppressed);
-            if (carries_light(beside.label) && beside.label != Label::Object) around.insert(beside.space);
-        }
-        if (around.size() != 1 || building_.spaces[*around.begin()].label != Label::Room)
-            return blame(v, "does not lie inside one room",
-                         around.empty() ? std::vector<std::uint32_t>{}
-                                        : std::vector<std::uint32_t>(around.begin(), around.end()));
-        const std::uint32_t k = building_.spaces[*around.begin()].storey;
+        const std::uint32_t own = building_.spaces[building_.volumes[v].space].room;
+        const std::optional<std::set<std::uint32_t>> around = places_around(v, own);
+        if (!around) return void(++report_.suppressed);
+        if (own != UINT32_MAX ? !around->contains(own) : around->size() != 1)
+            return blame(v, "does not lie inside one room", {around->begin(), around->end()});
+        const std::uint32_t k = building_.spaces[own != UINT32_MAX ? own : *around->begin()].storey;
         if (k >= building_.storeys.size() || !subject_.spaces.storey(k)) return;
         check_doors(v, *subject_.spaces.storey(k));
+    }
+
+    /// The rooms, or the exterior, that the object touches, itself or by objects beside it (it may stand in a corner
+    /// that they close), until `own` is among them; openings and stairs are no places. None where a volume on the way
+    /// is spoilt.
+    [[nodiscard]] std::optional<std::set<std::uint32_t>> places_around(std::uint32_t v, std::uint32_t own) const {
+        std::set<std::uint32_t> around, seen = {v};
+        std::vector<std::uint32_t> queue = {v};
+        const auto is_found = [&] { return own == UINT32_MAX ? !around.empty() : around.contains(own); };
+        for (std::size_t at = 0; at < queue.size() && !is_found(); ++at)
+            for (const std::uint32_t f : subject_.faces.of_volume(queue[at])) {
+                const std::uint32_t other = subject_.faces[f].beyond(queue[at]);
+                if (other >= building_.volumes.size()) continue;
+                if (blame_.volume[other]) return std::nullopt;
+                const Volume& beside = building_.volumes[other];
+                if (beside.label == Label::Room || beside.label == Label::Exterior) around.insert(beside.space);
+                if (beside.label == Label::Object && seen.insert(other).second) queue.push_back(other);
+            }
+        return around;
     }
 
     void check_doors(std::uint32_t v, const plans::Storey& storey) {

@@ -140,18 +140,18 @@ RegionCutter::RegionCutter(const Stack& stack, const CutOptions& options) : stac
     }
 }
 
-RegionCut RegionCutter::cut(std::uint32_t r) const {
+RegionPolygon RegionCutter::polygon(std::uint32_t r) const {
     const Region& region = stack_.regions[r];
-    RegionCut result;
-    if (region.half_edge_count == 0) return result;
-    std::vector<PolygonSide> boundary;
-    boundary.reserve(region.half_edge_count);
+    RegionPolygon result;
+    result.carries_light = region.carries_light;
+    result.height = stack_.bands[region.last_band].z_high - stack_.bands[region.first_band].z_low;
+    result.sides.reserve(region.half_edge_count);
     for (std::uint32_t k = region.first_half_edge; k < region.first_half_edge + region.half_edge_count; ++k) {
         const std::uint32_t h = stack_.boundary[k];
         const StackEdge& edge = stack_.edges[h / 2];
         PolygonSide side{edge.a, edge.b, edge.line, h, look_[k], faces_[k]};
         if (h % 2 == 1) std::swap(side.from, side.to);
-        boundary.push_back(side);
+        result.sides.push_back(side);
         result.points.push_back(side.from);
     }
     std::sort(result.points.begin(), result.points.end());
@@ -160,16 +160,21 @@ RegionCut RegionCutter::cut(std::uint32_t r) const {
         return std::uint32_t(std::lower_bound(result.points.begin(), result.points.end(), point) -
                              result.points.begin());
     };
-    for (PolygonSide& side : boundary) side.from = local(side.from), side.to = local(side.to);
+    for (PolygonSide& side : result.sides) side.from = local(side.from), side.to = local(side.to);
+    return result;
+}
 
-    SahOptions sah{options_.cost, stack_.frame.unit, 0};
-    sah.height = double(stack_.bands[region.last_band].z_high - stack_.bands[region.first_band].z_low) * sah.unit;
+RegionCut RegionCutter::cut(RegionPolygon polygon) const {
+    RegionCut result;
+    if (polygon.sides.empty()) return result;
+    result.points = std::move(polygon.points);
+    SahOptions sah{options_.cost, stack_.frame.unit, polygon.height * stack_.frame.unit};
     RegionCutBuilder builder(stack_, result);
-    const std::vector<std::vector<PolygonSide>> discs =
-        builder.add_discs(region.carries_light ? sah_partition(builder.points(), boundary, PartitionGoal::Disc, sah)
-                                               : delaunay_partition(builder.points(), boundary, PartitionGoal::Disc));
+    const std::vector<std::vector<PolygonSide>> discs = builder.add_discs(
+        polygon.carries_light ? sah_partition(builder.points(), polygon.sides, PartitionGoal::Disc, sah)
+                              : delaunay_partition(builder.points(), polygon.sides, PartitionGoal::Disc));
     for (std::uint32_t d = 0; d < discs.size(); ++d) {
-        if (options_.convex && region.carries_light) {
+        if (options_.convex && polygon.carries_light) {
             builder.add_pieces(d, convex_partition(builder.points(), discs[d], options_, sah));
         } else {
             Partition whole;

@@ -59,11 +59,21 @@ struct CutPieces {
     }
 };
 
+/// All that the cut of a region depends on, besides the options.
+struct RegionPolygon {
+    std::vector<std::uint32_t> points;  ///< into Stack::points, ascending
+    std::vector<PolygonSide> sides;     ///< in the order of Stack::boundary; from, to: into `points`; tag: a half-edge
+    std::int32_t height = 0;            ///< grid units, over all bands
+    bool carries_light = false;
+};
+
 /// Cuts single regions of a stack, each alike wherever and whenever it is cut.
 class RegionCutter {
 public:
     RegionCutter(const Stack& stack, const CutOptions& options);
-    [[nodiscard]] RegionCut cut(std::uint32_t region) const;
+    [[nodiscard]] RegionCut cut(std::uint32_t region) const { return cut(polygon(region)); }
+    [[nodiscard]] RegionPolygon polygon(std::uint32_t region) const;
+    [[nodiscard]] RegionCut cut(RegionPolygon polygon) const;
 
 private:
     const Stack& stack_;
