@@ -8,8 +8,12 @@
 #include "accel/graph.h"
 #include "accel/scene_file.h"
 #include "accel/stats.h"
+#include "base/error.h"
 #include "tools/commands.h"
+#include "tools/cut_summary.h"
 #include "tools/exit_code.h"
+#include "tools/output_file.h"
+#include "tools/report/cut_sheet.h"
 #include "tools/scene_summary.h"
 #include "tools/version.h"
 
@@ -46,7 +50,8 @@ std::string spread_text(const Spread& spread) {
 /// Everything that `info` says, measured once for both of its voices.
 struct Info {
     accel::SceneStats stats;
-    std::vector<std::size_t> space_cells;
+    std::vector<SpaceCuts> spaces;
+    double virtual_area_m2 = 0;
     Spread cells_per_room;
     Spread sections_per_cell;
     Spread faces_per_section;
@@ -58,10 +63,11 @@ Info gather(const accel::Scene& scene) {
     const accel::SceneView& view = scene.view();
     Info info;
     info.stats = accel::stats(scene);
-    info.space_cells = cells_per_space(view);
+    info.spaces = cuts_per_space(view);
+    info.virtual_area_m2 = virtual_area(view);
     std::vector<std::size_t> rooms, sections, faces;
-    for (std::size_t s = 0; s < info.space_cells.size(); ++s)
-        if (view.spaces[s].label == accel::Label::Room) rooms.push_back(info.space_cells[s]);
+    for (std::size_t s = 0; s < info.spaces.size(); ++s)
+        if (view.spaces[s].label == accel::Label::Room) rooms.push_back(info.spaces[s].cells);
     for (const accel::Cell& cell : view.cells) sections.push_back(cell.section_count);
     for (std::size_t s = 0; s < view.section_count(); ++s)
         faces.push_back(view.section_tails[s + 1].first_face - view.section_tails[s].first_face);
@@ -98,6 +104,7 @@ Json info_json(const std::string& file, const accel::Scene& scene, const Info& i
     json["cells_per_room"] = spread_json(info.cells_per_room);
     json["sections_per_cell"] = spread_json(info.sections_per_cell);
     json["faces_per_section"] = spread_json(info.faces_per_section);
+    json["virtual_portal_area_m2"] = info.virtual_area_m2;
     json["bytes_per_cell"] = info.stats.bytes_per_cell();
     json["graph"] = {{"nodes", info.stats.cells}, {"edges", info.stats.portals}, {"components", info.components}};
     json["rooms"] = Json::array();
@@ -106,11 +113,15 @@ Json info_json(const std::string& file, const accel::Scene& scene, const Info& i
         const accel::Space& space = view.spaces[s];
         Json place = {
             {"id", view.string(space.id)}, {"name", view.string(space.name)}, {"storey", view.string(space.storey)}};
-        place["cells"] = info.space_cells[s];
+        place["cells"] = info.spaces[s].cells;
         if (space.label == accel::Label::Room) {
             place["area_m2"] = space.area_m2;
+            place["sections"] = info.spaces[s].sections;
+            place["faces"] = info.spaces[s].faces;
+            place["cut_area_m2"] = info.spaces[s].cut_area_m2;
+            place["sah_sum"] = info.spaces[s].sah_sum;
             json["rooms"].push_back(std::move(place));
-        } else if (is_opening(space.label) && info.space_cells[s] > 0) {
+        } else if (is_opening(space.label) && info.spaces[s].cells > 0) {
             place["label"] = accel::name_of(space.label);
             json["openings"].push_back(std::move(place));
         }
@@ -126,10 +137,11 @@ Json info_json(const std::string& file, const accel::Scene& scene, const Info& i
     return json;
 }
 
-std::string room_line(const accel::SceneView& view, const accel::Space& space, std::size_t cells) {
+std::string room_line(const accel::SceneView& view, const accel::Space& space, const SpaceCuts& cuts) {
     const std::string_view name = view.string(space.name).empty() ? view.string(space.id) : view.string(space.name);
-    char numbers[64];
-    std::snprintf(numbers, sizeof numbers, "%9.2f m2 %6zu cells  ", space.area_m2, cells);
+    char numbers[96];
+    std::snprintf(numbers, sizeof numbers, "%9.2f m2 %6zu cells %9.2f m2 of cuts  ", space.area_m2, cuts.cells,
+                  cuts.cut_area_m2);
     return "  " + std::string(numbers) + std::string(name) + "  (storey " + std::string(view.string(space.storey)) +
            ")";
 }
@@ -147,8 +159,7 @@ std::string info_text(const std::string& file, const accel::Scene& scene, const 
     const accel::SceneStats& stats = info.stats;
     std::string text = file + ": " + scene_counts_text(scene) + "\n\nRooms\n";
     for (std::size_t s = 0; s < view.spaces.size(); ++s)
-        if (view.spaces[s].label == accel::Label::Room)
-            text += room_line(view, view.spaces[s], info.space_cells[s]) + '\n';
+        if (view.spaces[s].label == accel::Label::Room) text += room_line(view, view.spaces[s], info.spaces[s]) + '\n';
     text += "\nCells by label\n";
     for (std::size_t label = 0; label < stats.cells_of_label.size(); ++label)
         if (stats.cells_of_label[label] > 0)
@@ -156,6 +167,7 @@ std::string info_text(const std::string& file, const accel::Scene& scene, const 
     text += "\nShape\n  cells a room        " + spread_text(info.cells_per_room);
     text += "\n  sections a cell     " + spread_text(info.sections_per_cell);
     text += "\n  faces a section     " + spread_text(info.faces_per_section);
+    text += "\n  virtual portals     " + grouped((unsigned long long)(info.virtual_area_m2 + 0.5)) + " m2";
     text += "\n  source faces        " + grouped(stats.source_faces);
     text += "\n  bytes a cell        " + grouped((unsigned long long)(stats.bytes_per_cell()));
     text += "\n  trace group         " + byte_text(double(stats.trace_bytes));
@@ -168,11 +180,39 @@ std::string info_text(const std::string& file, const accel::Scene& scene, const 
     return text + "\n\nCertificate\n" + certificate_text(info);
 }
 
+/// The storeys that are asked for, by name, else by number. Throws InputError.
+std::vector<SceneStorey> chosen_storeys(const accel::SceneView& view, const std::string& wanted) {
+    const std::vector<SceneStorey> all = scene_storeys(view);
+    if (all.empty()) throw InputError("F106", "", "There is no room in this scene to draw: build it with its storeys.");
+    if (wanted.empty()) return all;
+    for (const SceneStorey& storey : all)
+        if (storey.name == wanted) return {storey};
+    std::string known;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (wanted == std::to_string(k)) return {all[k]};
+        known += (k == 0 ? "" : k + 1 == all.size() ? " and " : ", ") + all[k].name;
+    }
+    throw InputError("F114", "",
+                     "There is no storey \"" + wanted + "\" in this scene: --storey takes a name (" + known +
+                         ") or a number from 0 to " + std::to_string(all.size() - 1) + ".");
+}
+
+void draw(const InfoOptions& options, const accel::Scene& scene, const Info& info) {
+    const std::vector<SceneStorey> storeys = chosen_storeys(scene.view(), options.storey);
+    const std::string title = options.scene.filename().string() + ": " + counted(info.stats.rooms, "room") + ", " +
+                              counted(info.stats.cells, "cell") + ", " +
+                              grouped((unsigned long long)(info.virtual_area_m2 + 0.5)) + " m² of virtual portals";
+    write_text(options.svg, cut_sheet(title, storey_panels(scene.view(), storeys)));
+}
+
 }  // namespace
 
 int run_info(const InfoOptions& options, const Console& console) {
+    if (!options.svg.empty() && options.svg.extension() != ".svg")
+        throw InputError("F115", options.svg.string(), "The drawing is written as .svg: end its name so.");
     const accel::Scene scene = accel::open(options.scene);
     const Info info = gather(scene);
+    if (!options.svg.empty()) draw(options, scene, info);
     const std::string file = options.scene.string();
     console.print(console.json()
                       ? info_json(file, scene, info).dump(2, ' ', false, Json::error_handler_t::replace) + '\n'

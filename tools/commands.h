@@ -87,6 +87,8 @@ int run_check(const CheckOptions& options, const Console& console);
 
 struct InfoOptions {
     std::filesystem::path scene;
+    std::filesystem::path svg;  ///< a drawing of the cuts; empty: none
+    std::string storey;         ///< which one is drawn, by name or number; empty: all
 };
 int run_info(const InfoOptions& options, const Console& console);
 

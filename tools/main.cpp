@@ -202,8 +202,14 @@ void add_check(CLI::App& app, Invocation& invocation, CheckOptions& options) {
 void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "info",
                                     "Show what a scene file holds: rooms, cells, bytes, and how they are joined.",
-                                    "  enfilade info house.enf", run_info);
+                                    "  enfilade info house.enf\n  enfilade info house.enf --svg cuts.svg", run_info);
     add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    CLI::Option* svg = add_value(command, "--svg", options.svg, "FILE",
+                                 "draw how the rooms are cut, with cuts coloured by the area of their portal, to this "
+                                 "file (.svg)");
+    add_value(command, "--storey", options.storey, "STOREY",
+              "draw this storey only, by its name or its number, counted from 0 (all)")
+        ->needs(svg);
 }
 
 void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {

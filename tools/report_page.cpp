@@ -1,6 +1,5 @@
 #include "tools/report_page.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "tools/report/html_text.h"
 #include "tools/report/page_header.h"
 #include "tools/report/room_graph.h"
+#include "tools/report/scale_bar.h"
 #include "tools/report/storey_drawing.h"
 #include "tools/version.h"
 
@@ -61,15 +61,12 @@ std::string area_legend() {
 
 /// A bar of a round length, a fifth of the drawing wide at most; the script redraws it as the view changes.
 std::string scale_bar(const DrawnBox& box) {
-    double metres = std::pow(10, std::floor(std::log10(box.width / 5)));
-    if (metres * 5 <= box.width / 5) metres *= 5;
-    else if (metres * 2 <= box.width / 5) metres *= 2;
+    const double metres = round_length(box.width / 5);
     const double size = box.width / 60;
     return "<g class=\"scalebar\" transform=\"translate(" + decimal(box.x + size, 2) + " " +
            decimal(box.y + box.height - size, 2) + ")\"><path d=\"M0 " + decimal(-size / 2, 3) + "V0H" +
            decimal(metres, 3) + "V" + decimal(-size / 2, 3) + "\"/><text x=\"" + decimal(metres + size / 2, 3) +
-           "\" y=\"0\" style=\"--size:" + decimal(size, 3) + "px\">" + decimal(metres, metres < 1 ? 1 : 0) +
-           " m</text></g>\n";
+           "\" y=\"0\" style=\"--size:" + decimal(size, 3) + "px\">" + length_text(metres) + "</text></g>\n";
 }
 
 std::string svg_open(const char* classes, const std::string& id, const std::string& label, const DrawnBox& box) {

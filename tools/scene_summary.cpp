@@ -38,10 +38,4 @@ nlohmann::ordered_json scene_counts_json(const accel::Scene& scene) {
             {"model_bytes", stats.model_bytes}};
 }
 
-std::vector<std::size_t> cells_per_space(const accel::SceneView& scene) {
-    std::vector<std::size_t> counts(scene.spaces.size());
-    for (const accel::Cell& cell : scene.cells) ++counts[index(cell.space)];
-    return counts;
-}
-
 }  // namespace enfilade::tools

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <vector>
 
 #include "accel/scene.h"
 
@@ -14,8 +13,5 @@ namespace enfilade::tools {
 [[nodiscard]] std::string scene_counts_text(const accel::Scene& scene);
 /// The object `counts` of docs/info.schema.json.
 [[nodiscard]] nlohmann::ordered_json scene_counts_json(const accel::Scene& scene);
-
-/// Number of cells of each space. [space_count]
-[[nodiscard]] std::vector<std::size_t> cells_per_space(const accel::SceneView& scene);
 
 }  // namespace enfilade::tools

@@ -37,8 +37,8 @@ void NameLayer::add(const std::vector<std::vector<Mm>>& rings, Mm at, const Room
 std::string NameLayer::text() const {
     std::string all = "<g class=\"layer layer-names\" transform=\"scale(.001)\">\n";
     for (const auto& [size, texts] : by_size_)
-        all += "<g class=\"names\" data-size=\"" + decimal(size / 1000.0, 2) +
-               "\" style=\"--size:" + std::to_string(size) + "px\">\n" + texts + "</g>\n";
+        all += "<g class=\"names\" data-size=\"" + decimal(size / 1000.0, 2) + "\" font-size=\"" +
+               std::to_string(size) + "\" style=\"--size:" + std::to_string(size) + "px\">\n" + texts + "</g>\n";
     return all + "</g>\n";
 }
 
