@@ -146,6 +146,7 @@ void bench_cells(Bench& bench);
 void bench_check(Bench& bench);
 void bench_convexify(Bench& bench);
 void bench_dial(Bench& bench);
+void bench_edit(Bench& bench);
 void bench_gmap(Bench& bench);
 void bench_scene(Bench& bench);
 

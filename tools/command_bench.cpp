@@ -25,6 +25,7 @@ constexpr std::array entries = {
     Entry{"cells", "tracing through cells, against Embree on the same rays", bench_cells},
     Entry{"convexify", "the ways to cut rooms into cells: how few, how fast, and what rays make of them",
           bench_convexify},
+    Entry{"edit", "boxes put into rooms, against building all again", bench_edit},
     Entry{"dial", "what each option costs in time and memory, and what it errs", bench_dial},
 };
 
