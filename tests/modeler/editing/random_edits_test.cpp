@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
@@ -17,6 +18,7 @@
 #include "plans/generate.h"
 #include "plans/read.h"
 #include "tests/modeler/editing/edited.h"
+#include "tests/support/random_plan.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -75,7 +77,16 @@ std::vector<Box> any_boxes(const Building& building, int count) {
             RC_ASSERT(error.code == "P504" || error.code == "P505" || error.code == "P506");
         }
     }
+    RC_TAG(std::to_string(boxes.size()) + " of " + std::to_string(count) + " boxes");
     return boxes;
+}
+
+Building remove_all(Building building) {
+    while (!building.stack.boxes.empty()) {
+        const std::string id = building.stack.boxes.front().id;
+        building = remove_box(building, id);
+    }
+    return building;
 }
 
 std::string text_of(const std::vector<Box>& boxes, int which) {
@@ -88,6 +99,25 @@ std::string text_of(const std::vector<Box>& boxes, int which) {
         text += "\n";
     }
     return text;
+}
+
+RC_GTEST_PROP(RandomEdits, OfPlansAsNobodyShouldDrawThemAreSoundOrRefused, ()) {
+    const plans::Plan plan = testing::any_plan();
+    RC_LOG() << plans::write_json(plan) << "\n";
+    std::optional<Building> before;
+    try {
+        before = convexify(build(plan));
+    } catch (const InputError&) {
+        RC_DISCARD("no building");
+    }
+    if (testing::spaces_labelled(*before, Label::Room).empty()) RC_DISCARD("no room");
+    const std::string known = errors_of(*before);
+    const std::vector<Box> boxes = any_boxes(*before, 3);
+    RC_LOG() << text_of(boxes, -1);
+    const Building after = insert_boxes(*before, boxes);
+    RC_ASSERT(errors_of(after) == known);
+    RC_ASSERT(difference(after, realise(after.stack, after.cut_options)) == "");
+    RC_ASSERT(difference(remove_all(after), *before) == "");
 }
 
 RC_GTEST_PROP(RandomEdits, GiveOneBuildingInAnyOrderAndFromScratch, ()) {
@@ -104,8 +134,7 @@ RC_GTEST_PROP(RandomEdits, GiveOneBuildingInAnyOrderAndFromScratch, ()) {
     }
     RC_ASSERT(difference(at_once, forward) == "");
     RC_ASSERT(difference(at_once, backward) == "");
-    for (const Box& box : boxes) forward = remove_box(forward, box.id);
-    RC_ASSERT(difference(forward, before) == "");
+    RC_ASSERT(difference(remove_all(forward), before) == "");
 }
 
 RC_GTEST_PROP(RandomEdits, AreSound, ()) {
