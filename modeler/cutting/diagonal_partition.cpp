@@ -82,10 +82,16 @@ private:
         while (k != stop && is_straight(k));
         return k;
     }
-    /// A notch that `reflex_corner` would find.
-    [[nodiscard]] bool is_reflex(std::uint32_t k) const {
-        return is_notch_[k] && !is_straight(k) && turn(run_start(k, k), k, run_end(k, k)) < 0;
+    /// Whether a corner turns right between the chords of its straight runs, no farther than `stop`. What turns by
+    /// chords later roundings hardly turn back: `reflex_corner` finds none where there is none here.
+    [[nodiscard]] bool is_reflex(std::uint32_t k, std::uint32_t stop) const {
+        const std::uint32_t before = prev_[k], after = next_[k];
+        const bool runs_before = out_[prev_[before]].line == out_[before].line;
+        const bool runs_after = out_[after].line == out_[k].line;
+        if (!runs_before && !runs_after) return is_notch_[k] && !is_straight(k);
+        return !is_straight(k) && turn(run_start(k, stop), k, run_end(k, stop)) < 0;
     }
+    [[nodiscard]] bool is_reflex(std::uint32_t k) const { return is_reflex(k, k); }
     [[nodiscard]] std::optional<std::uint32_t> next_reflex(std::uint32_t from) const {
         std::uint32_t k = from;
         do
@@ -137,7 +143,7 @@ private:
         for (bool one_line = true; next_[next_[chain.last]] != start; ++chain.count) {
             const std::uint32_t last = chain.last, added = next_[last];
             one_line = one_line && is_straight(last);
-            if (turn(last) < 0 && !is_straight(last)) break;
+            if (is_reflex(last, start)) break;
             if (!one_line && (turn(last, added, start) < 0 || turn(added, start, second) < 0)) break;
             chain.last = added;
         }
@@ -150,7 +156,7 @@ private:
         for (bool one_line = true; prev_[prev_[chain.first]] != start; ++chain.count) {
             const std::uint32_t first = chain.first, added = prev_[first];
             one_line = one_line && is_straight(first);
-            if (turn(first) < 0 && !is_straight(first)) break;
+            if (is_reflex(first, start)) break;
             if (!one_line && (turn(start, added, first) < 0 || turn(second, start, added) < 0)) break;
             chain.first = added;
         }
@@ -226,17 +232,17 @@ private:
         --chain.count;
     }
 
-    /// Whether the diagonal passes left of nothing but the piece, which is convex at both its ends: between the chords
-    /// of straight runs, which later roundings hardly turn.
+    /// Whether the piece is one: convex at both ends of the diagonal and of the runs that it cuts, and all of it on the
+    /// diagonal's left.
     [[nodiscard]] bool closes_well(const Chain& chain, bool keep_gap) {
-        const std::uint32_t after_first = run_end(chain.first, chain.last);
-        if (after_first == chain.last || turn(chain.last, chain.first, after_first) < 0 ||
-            turn(run_start(chain.last, chain.first), chain.last, chain.first) < 0)
-            return false;
+        const std::uint32_t first = chain.first, last = chain.last;
+        const std::uint32_t head = run_end(first, last), tail = run_start(last, first);
+        if (head == last || turn(last, first, head) < 0 || turn(tail, last, first) < 0) return false;
+        if (turn(first, head, run_end(head, last)) < 0 || turn(run_start(tail, first), tail, last) < 0) return false;
         pay(chain.count);
-        for (std::uint32_t k = next_[chain.first]; k != chain.last; k = next_[k])
-            if (turn(chain.last, chain.first, k) <= 0 || (keep_gap && is_near(chain, k))) return false;
-        return !keep_gap || !(is_near(chain, prev_[chain.first]) || is_near(chain, next_[chain.last]));
+        for (std::uint32_t k = next_[first]; k != last; k = next_[k])
+            if (turn(last, first, k) <= 0 || (keep_gap && is_near(chain, k))) return false;
+        return !keep_gap || !(is_near(chain, prev_[first]) || is_near(chain, next_[last]));
     }
 
     void cut_off(const Chain& chain, Partition& pieces) {
@@ -299,7 +305,7 @@ Partition diagonal_partition(std::span<const GridPoint> points, std::span<const 
     const std::vector<std::uint32_t> ring = simple_ring(sides);
     Partition pieces;
     Rest rest(points, sides, ring);
-    if (rest.cut_pieces(pieces)) {
+    if (is_convex(points, sides, ring) || rest.cut_pieces(pieces)) {
         const std::vector<PolygonSide> last = rest.sides();
         pieces.sides.insert(pieces.sides.end(), last.begin(), last.end());
         pieces.first_side.push_back(std::uint32_t(pieces.sides.size()));

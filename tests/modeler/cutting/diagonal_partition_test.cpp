@@ -174,10 +174,11 @@ TEST(DiagonalPartition, CutsTenThousandCornersInSeconds) {
 
 TEST(DiagonalPartition, CountsWhatItCutsOtherwise) {
     // Lines that turn twice at right angles, which no rounding makes: no corner has a piece that can be cut off.
-    Polygon tangled({{-1, -1}, {0, -1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1},  {2, 2},  {3, 2},
-                     {3, 3},   {3, 4},  {2, 4}, {2, 3}, {1, 3}, {0, 3}, {0, 2}, {-1, 2}, {-1, 1}, {-1, 0}});
-    const std::uint32_t lines[] = {0, 0, 2, 2, 2, 2, 2, 7, 7, 7, 7, 11, 11, 11, 14, 15, 16, 17, 17, 17};
-    for (std::size_t k = 0; k < 20; ++k) tangled.sides[k].line = lines[k];
+    Polygon tangled({{-1, -1}, {0, -1}, {0, -2}, {0, -3}, {1, -3}, {2, -3}, {2, -2}, {3, -2},
+                     {3, -1},  {3, 0},  {3, 1},  {2, 1},  {2, 0},  {1, 0},  {1, 1},  {1, 2},
+                     {2, 2},   {2, 3},  {1, 3},  {0, 3},  {-1, 3}, {-1, 2}, {-1, 1}, {-1, 0}});
+    const std::uint32_t lines[] = {0, 1, 1, 3, 3, 3, 3, 7, 8, 8, 8, 8, 8, 13, 13, 15, 15, 15, 15, 15, 15, 15, 22, 22};
+    for (std::size_t k = 0; k < 24; ++k) tangled.sides[k].line = lines[k];
     const Partition pieces = diagonal_partition(tangled.points, tangled.sides);
     EXPECT_EQ(fault(tangled, pieces), "");
     EXPECT_EQ(pieces.fallen_back, 1u);
