@@ -2,8 +2,23 @@
 # tools/campaign.sh [COUNT [SERIES]]: puts COUNT random faults of each code into random sound buildings, one at a time (1000), and
 # prints the table of docs/checks.md: how many were found, and what else was. Ends with 1 where one was missed, found
 # elsewhere, or not alone. Each SERIES (a number, 0) draws other buildings and faults.
+# tools/campaign.sh rooms [COUNT [SERIES]]: cuts COUNT random rooms (100000) in every way, and prints what
+# tests/modeler/cutting says of the pieces. Ends with 1 where a partition was none; the rooms are kept in the temporary folder.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+if [ "${1:-}" = rooms ]; then
+    tools/build.sh release random_rooms_test
+    log=$(mktemp)
+    trap 'rm -f "$log"' EXIT
+    status=0
+    ENFILADE_ROOMS=${2:-100000} ENFILADE_ROOMS_SERIES=${3:-0} build/release/tests/modeler/cutting/random_rooms_test \
+        --gtest_filter='*RandomRooms*' >"$log" 2>&1 || status=1
+    echo "| rooms | cutter | cut | failed | pieces | to ceil(r/2)+1 | cuts moved | fallen back | thin between walls | thin between corners | thin by new cuts | unused points | stray | dent |"
+    echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+    sed -n 's/^rooms | /| /p' "$log"
+    [ "$status" -eq 0 ] || grep -vE "^rooms \||RUN|OK" "$log" >&2
+    exit "$status"
+fi
 tools/build.sh release campaign_test
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT

@@ -32,8 +32,9 @@ struct PartitionVerdict {
 /// A point of a line is rounded twice, by half a unit per axis each time; the ends of the line's chord once (G8).
 inline constexpr double most_stray = 2.1213203435596424;
 
-/// Corners that lines bent by rounding make reflex lie this near to the convex hull of their piece.
-inline constexpr double most_dent = most_stray;
+/// Corners that lines bent by rounding make reflex lie this near to the convex hull of their piece: the dents of some
+/// short sides in a row add up.
+inline constexpr double most_dent = 3 * most_stray;
 
 /// Exact: (1) rings close, visit no point twice and have positive area; (2) the parts of every side lead from its start
 /// to its end, each handed on as it was, with points that lie on it to half a unit per axis; (3) every cut is run once

@@ -18,6 +18,7 @@ Room read_room(std::istream& in) {
     std::string line;
     bool at_sides = false;
     while (std::getline(in, line)) {
+        if (line.starts_with('#')) continue;
         std::istringstream words(line);
         if (line.empty()) {
             at_sides = true;

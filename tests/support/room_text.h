@@ -8,7 +8,8 @@
 
 namespace enfilade::testing {
 
-/// A line `x y` a point, a blank line, then a line `from to line tag look faces` a side.
+/// Lines that begin with # are remarks. A line `x y` a point, a blank line, then a line `from to line tag look faces` a
+/// side.
 void write_room(std::ostream& out, const Room& room);
 [[nodiscard]] Room read_room(std::istream& in);
 /// As the initialisers of a named regression test.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/support/crossings.h"
+#include "tests/support/partition_checks.h"
 
 namespace enfilade::testing {
 namespace {
@@ -64,36 +65,42 @@ Room without_loop(const Room& room, std::size_t k) {
     return tidied(result);
 }
 
-/// Largest distance of a point from the chord of a run of sides of one line. Points where loops meet end runs.
-double stray_of_sides(const Room& room) {
-    constexpr std::uint32_t none = UINT32_MAX, several = UINT32_MAX - 1;
-    std::vector<std::uint32_t> leaving(room.points.size(), none);
-    for (std::uint32_t k = 0; k < room.sides.size(); ++k) {
-        std::uint32_t& at = leaving[room.sides[k].from];
-        at = at == none ? k : several;
-    }
-    const auto next = [&](std::uint32_t k) {
-        const std::uint32_t n = leaving[room.sides[k].to];
-        if (n >= several) return none;
-        const PolygonSide &in = room.sides[k], &out = room.sides[n];
-        const bool straight =
-            modeler::goes_straight(room.points[in.from], room.points[in.to], room.points[out.to], in.line, out.line);
-        return straight ? n : none;
-    };
-    std::vector<bool> goes_on(room.sides.size(), false);
-    for (std::uint32_t k = 0; k < room.sides.size(); ++k)
-        if (next(k) != none) goes_on[next(k)] = true;
+/// Largest distance of a point from the chord through all points of its line.
+double stray_of_lines(const Room& room) {
+    std::map<std::uint32_t, std::vector<GridPoint>> lines;
+    for (const PolygonSide& side : room.sides)
+        for (const std::uint32_t end : {side.from, side.to}) lines[side.line].push_back(room.points[end]);
     double worst = 0;
-    for (std::uint32_t start = 0; start < room.sides.size(); ++start) {
-        if (goes_on[start]) continue;
-        std::uint32_t last = start;
-        for (std::uint32_t k = next(start); k != none; k = next(k)) last = k;
-        const GridPoint a = room.points[room.sides[start].from], b = room.points[room.sides[last].to];
-        const double length = std::max(1.0, std::hypot(double(b.x) - a.x, double(b.y) - a.y));
-        for (std::uint32_t k = next(start); k != none; k = next(k))
-            worst = std::max(worst, std::abs(double(orientation(a, b, room.points[room.sides[k].from]))) / length);
+    for (const auto& [line, points] : lines) {
+        const auto farthest = [&points = points](GridPoint from) {
+            const auto length = [from](GridPoint p) { return std::hypot(double(p.x) - from.x, double(p.y) - from.y); };
+            return *std::max_element(points.begin(), points.end(),
+                                     [&](GridPoint p, GridPoint q) { return length(p) < length(q); });
+        };
+        const GridPoint a = farthest(points[0]), b = farthest(a);
+        const double length = std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+        for (const GridPoint p : points) worst = std::max(worst, std::abs(double(orientation(a, b, p))) / length);
     }
     return worst;
+}
+
+/// How often all sides wind around the place just left of the middle of side k.
+std::int32_t winding_left_of(const Room& room, std::size_t k) {
+    const PolygonSide& own = room.sides[k];
+    const auto doubled = [&](std::uint32_t p) { return GridPoint{2 * room.points[p].x, 2 * room.points[p].y}; };
+    const GridPoint from = room.points[own.from], to = room.points[own.to];
+    const GridPoint middle = {from.x + to.x, from.y + to.y};
+    const bool above = from.y < to.y || (from.y == to.y && from.x < to.x);  // where a horizontal side's left lies
+    std::int32_t winding = from.y < to.y ? 1 : 0;
+    for (std::size_t s = 0; s < room.sides.size(); ++s) {
+        if (s == k) continue;
+        const GridPoint a = doubled(room.sides[s].from), b = doubled(room.sides[s].to);
+        const auto is_below = [&](GridPoint p) { return above ? p.y <= middle.y : p.y < middle.y; };
+        if (is_below(a) == is_below(b)) continue;
+        const bool rises = is_below(a);
+        if ((orientation(a, b, middle) > 0) == rises) winding += rises ? 1 : -1;
+    }
+    return winding;
 }
 
 Room halved(const Room& room) {
@@ -112,6 +119,12 @@ Room at_origin(const Room& room) {
     return result;
 }
 
+bool winds_once(const Room& room) {
+    for (std::size_t k = 0; k < room.sides.size(); ++k)
+        if (winding_left_of(room, k) != 1) return false;
+    return true;
+}
+
 }  // namespace
 
 bool is_sound(const Room& room) {
@@ -127,8 +140,7 @@ bool is_sound(const Room& room) {
     std::sort(places.begin(), places.end());
     if (std::adjacent_find(places.begin(), places.end()) != places.end()) return false;
     return std::all_of(balance.begin(), balance.end(), [](std::int32_t b) { return b == 0; }) &&
-           area2(room.points, room.sides) > 0 && !first_crossing(segments) &&
-           stray_of_sides(room) < std::sqrt(2.0) + 1e-9;
+           !first_crossing(segments) && winds_once(room) && stray_of_lines(room) <= most_stray;
 }
 
 Room shrink_room(Room room, const std::function<bool(const Room&)>& fails, std::uint32_t budget) {

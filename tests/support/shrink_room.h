@@ -11,8 +11,8 @@ namespace enfilade::testing {
 /// meet in common points only. Ends after `budget` calls of `fails`.
 [[nodiscard]] Room shrink_room(Room room, const std::function<bool(const Room&)>& fails, std::uint32_t budget = 4000);
 
-/// What cutters are promised: sides are a plane graph, each point is left as often as it is reached, and lines are bent
-/// by no more than one rounding bends them.
+/// What cutters are promised: sides are a plane graph, the room lies once on their left, and lines are bent
+/// by no more than roundings bend them.
 [[nodiscard]] bool is_sound(const Room& room);
 
 }  // namespace enfilade::testing

@@ -1,30 +1,23 @@
 // Ten thousand random rooms of every family, cut by every cutter: each partition is judged exactly.
-// ENFILADE_ROOMS=100000 cuts more, ENFILADE_ROOMS_SERIES=1 others, ENFILADE_CUTTER=sah by cutters with that in their
-// name; ENFILADE_ROOM=file cuts one that failed.
+// ENFILADE_ROOMS=100000 cuts more, ENFILADE_ROOMS_SERIES=1 others; ENFILADE_ROOM=file cuts one that failed.
+
+#include "tests/support/random_rooms.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <csignal>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
-#include "modeler/cutting/delaunay_partition.h"
-#include "modeler/cutting/diagonal_partition.h"
 #include "modeler/cutting/sah_partition.h"
-#include "tests/support/partition_checks.h"
-#include "tests/support/random_rooms.h"
+#include "tests/modeler/cutting/cut_rooms.h"
 #include "tests/support/room_text.h"
-#include "tests/support/shrink_room.h"
 
 namespace enfilade::modeler {
 namespace {
 
-using testing::is_sound;
-using testing::PartitionVerdict;
-using testing::PartitionWish;
 using testing::Room;
 using testing::RoomFamily;
 
@@ -33,189 +26,95 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
     return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-struct Cutter {
-    const char* name;
-    PartitionWish wish;
-    const Cutter* discs;  ///< takes what this one makes of a room, a ring at a time
-    Partition (*cut)(const Room&);
-};
-
-template <PartitionGoal goal>
-Partition by_delaunay(const Room& room) {
-    return delaunay_partition(room.points, room.sides, goal);
-}
-Partition by_diagonals(const Room& room) { return diagonal_partition(room.points, room.sides); }
-template <PartitionGoal goal>
-Partition by_sah(const Room& room) {
-    return sah_partition(room.points, room.sides, goal, {});
-}
-
-const Cutter cutters[] = {
-    {"delaunay discs", {PartitionGoal::Disc, false}, nullptr, by_delaunay<PartitionGoal::Disc>},
-    {"delaunay", {PartitionGoal::Convex, false}, nullptr, by_delaunay<PartitionGoal::Convex>},
-    {"diagonals", {PartitionGoal::Convex, false}, &cutters[0], by_diagonals},
-    {"sah discs", {PartitionGoal::Disc, true}, nullptr, by_sah<PartitionGoal::Disc>},
-    {"sah", {PartitionGoal::Convex, true}, nullptr, by_sah<PartitionGoal::Convex>},
-    {"sah on discs", {PartitionGoal::Convex, true}, &cutters[3], by_sah<PartitionGoal::Convex>},
-};
-
-/// Each piece as a room of its own, the cuts as sides with tags of their own.
-std::vector<Room> rooms_of(const Room& room, const Partition& discs) {
-    std::vector<Room> rooms(discs.piece_count());
-    for (std::uint32_t k = 0; k < discs.piece_count(); ++k) {
-        rooms[k].points = room.points;
-        rooms[k].points.insert(rooms[k].points.end(), discs.new_points.begin(), discs.new_points.end());
-        for (PolygonSide side : discs.piece(k)) {
-            if (side.line >= first_cut_line) side.line -= first_cut_line / 2;
-            side.tag = std::uint32_t(rooms[k].sides.size());
-            rooms[k].sides.push_back(side);
-        }
-    }
-    return rooms;
-}
-
-/// What is being cut, for the message of a cutter that aborts or does not end.
-struct Running {
-    std::string name;
-    Room room;
-};
-Running running;
-
-std::string keep(const Room& room, const std::string& name) {
-    std::string file = ::testing::TempDir() + "enfilade-room-" + name + ".txt";
-    std::replace(file.begin(), file.end(), ' ', '-');
-    std::ofstream out(file);
-    write_room(out, room);
-    return file;
-}
-
-extern "C" void end_of_running(int signal) {
-    std::signal(signal, SIG_DFL);
-    std::signal(SIGABRT, SIG_DFL);
-    std::cerr << (signal == SIGALRM ? "does not end: " : "ends the program: ") << running.name << ", kept in "
-              << keep(running.room, running.name) << '\n';
-    std::raise(signal == SIGALRM ? SIGABRT : signal);
-}
-
-/// Announces what is cut while it lives, and asks that it ends within a minute.
-class Watch {
-public:
-    Watch(std::string name, const Room& room) {
-        running = {std::move(name), room};
-        for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGALRM}) std::signal(signal, end_of_running);
-        alarm(60);
-    }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
-    ~Watch() {
-        alarm(0);
-        for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGALRM}) std::signal(signal, SIG_DFL);
-    }
-};
-
-std::size_t reflex_corners(const Room& room) {
-    const std::vector<std::uint32_t> ring = simple_ring(room.sides);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const PolygonSide &in = room.sides[ring[k]], &out = room.sides[ring[(k + 1) % ring.size()]];
-        count += in.line != out.line && orientation(room.points[in.from], room.points[in.to], room.points[out.to]) < 0;
-    }
-    return count;
-}
-
-/// Of one cutter over the rooms of one family.
-struct Tally {
-    std::uint64_t rooms = 0, pieces = 0, moved = 0, fallen_back = 0, thin_walls = 0, thin_corners = 0, thin_cuts = 0;
-    std::uint64_t ring_pieces = 0, ring_bound = 0, failures = 0, unused = 0;  ///< bound: ceil(reflex corners / 2) + 1
-    double stray = 0, dent = 0;
-
-    void add(const Room& room, const Partition& partition, const PartitionVerdict& verdict) {
-        ++rooms;
-        pieces += partition.piece_count();
-        unused += verdict.unused;
-        moved += partition.moved, fallen_back += partition.fallen_back;
-        thin_walls += verdict.thin_walls, thin_corners += verdict.thin_corners, thin_cuts += verdict.thin_cuts;
-        stray = std::max(stray, verdict.stray), dent = std::max(dent, verdict.dent);
-        failures += !verdict.faults.empty();
-        if (simple_ring(room.sides).empty()) return;
-        ring_pieces += partition.piece_count();
-        ring_bound += (reflex_corners(room) + 1) / 2 + 1;
-    }
-    void print(std::string_view family, const char* cutter) const {
-        std::cout << "rooms | " << family << " | " << cutter << " | " << rooms << " | " << failures << " | " << pieces
-                  << " | " << (ring_bound ? double(ring_pieces) / double(ring_bound) : 0) << " | " << moved << " | "
-                  << fallen_back << " | " << thin_walls << " | " << thin_corners << " | " << thin_cuts << " | "
-                  << unused << " | " << stray << " | " << dent << " |\n";
-    }
-};
-
-/// The first fault without its numbers, so that shrinking keeps to it.
-std::string kind_of(const PartitionVerdict& verdict) {
-    std::string kind = verdict.faults.empty() ? "" : verdict.faults.front();
-    std::erase_if(kind, [](char c) { return std::string_view("0123456789.,-() ").find(c) != std::string_view::npos; });
-    return kind;
-}
-
-/// Cuts and judges; says what is wrong with a small room that fails alike.
-void judge_cut(const Cutter& cutter, const Room& room, const std::string& name, Tally& tally) {
-    const Partition partition = cutter.cut(room);
-    const PartitionVerdict verdict = judge_partition(room.points, room.sides, partition, cutter.wish);
-    tally.add(room, partition, verdict);
-    if (verdict.faults.empty() || tally.failures > 3) return;
-    const Room least = testing::shrink_room(room, [&](const Room& smaller) {
-        if (cutter.discs && simple_ring(smaller.sides).empty()) return false;
-        const Watch watch(name + " " + cutter.name + " shrunk", smaller);
-        return kind_of(judge_partition(smaller.points, smaller.sides, cutter.cut(smaller), cutter.wish)) ==
-               kind_of(verdict);
-    });
-    const std::string file = keep(least, name + " " + cutter.name);
-    ADD_FAILURE() << name << " (" << room.sides.size() << " sides), " << cutter.name << ": " << verdict.text()
-                  << "the least room that fails, kept in " << file << ": "
-                  << judge_partition(least.points, least.sides, cutter.cut(least), cutter.wish).text()
-                  << source_of(least);
-}
-
-void cut_in_every_way(const Room& room, const std::string& name, std::span<Tally> tallies) {
-    ASSERT_TRUE(is_sound(room)) << name << " is no room";
-    const char* const only = std::getenv("ENFILADE_CUTTER");
-    for (std::size_t c = 0; c < std::size(cutters); ++c) {
-        const Cutter& cutter = cutters[c];
-        if (only && std::string_view(cutter.name).find(only) == std::string_view::npos) continue;
-        const Watch watch(name + " " + cutter.name, room);
-        if (!cutter.discs) {
-            judge_cut(cutter, room, name, tallies[c]);
-            continue;
-        }
-        for (const Room& disc : rooms_of(room, cutter.discs->cut(room))) judge_cut(cutter, disc, name, tallies[c]);
-    }
-}
-
 class RandomRooms : public ::testing::TestWithParam<RoomFamily> {};
 
 TEST_P(RandomRooms, AreCutExactly) {
     const std::uint64_t families = testing::room_families().size(), series = number_from("ENFILADE_ROOMS_SERIES", 0);
     const std::uint64_t count = (number_from("ENFILADE_ROOMS", 10000) + families - 1) / families;
-    std::vector<Tally> tallies(std::size(cutters));
-    for (std::uint64_t seed = 0; seed < count; ++seed) {
-        const std::string name = std::string(GetParam().name) + " " + std::to_string((series << 32) + seed);
-        cut_in_every_way(random_room(GetParam(), (series << 32) + seed), name, tallies);
+    std::vector<Tally> tallies(cutters().size());
+    for (std::uint64_t seed = series << 32; seed < (series << 32) + count; ++seed) {
+        const std::string name = std::string(GetParam().name) + " " + std::to_string(seed);
+        cut_in_every_way(random_room(GetParam(), seed), name, tallies);
         if (HasFatalFailure()) return;
     }
-    for (std::size_t c = 0; c < std::size(cutters); ++c)
-        if (tallies[c].rooms > 0) tallies[c].print(GetParam().name, cutters[c].name);
+    for (std::size_t c = 0; c < cutters().size(); ++c)
+        if (tallies[c].rooms > 0) tallies[c].print(GetParam().name, cutters()[c].name);
+}
+
+bool alike(const PolygonSide& a, const PolygonSide& b) {
+    return a.from == b.from && a.to == b.to && a.line == b.line && a.tag == b.tag && a.look == b.look &&
+           a.faces == b.faces;
+}
+
+TEST_P(RandomRooms, AreCutAlikeAgain) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Room room = random_room(GetParam(), seed);
+        for (const Cutter& cutter : cutters()) {
+            if (cutter.discs) continue;
+            const Partition once = cutter.cut(room), again = cutter.cut(room);
+            EXPECT_TRUE(std::equal(once.sides.begin(), once.sides.end(), again.sides.begin(), again.sides.end(), alike))
+                << GetParam().name << " " << seed << ", " << cutter.name;
+            EXPECT_EQ(once.first_side, again.first_side);
+            EXPECT_EQ(once.new_points, again.new_points);
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, RandomRooms,
                          ::testing::ValuesIn(testing::room_families().begin(), testing::room_families().end()),
                          [](const auto& family) { return std::string(family.param.name); });
 
-TEST(KeptRoom, IsCutExactly) {
+void cut_from_file(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    const Room room = testing::read_room(in);
+    ASSERT_GE(room.sides.size(), 3u) << file;
+    std::vector<Tally> tallies(cutters().size());
+    cut_in_every_way(room, file.stem().string(), tallies);
+}
+
+/// Rooms on which a cutter once failed, as small as they could be made (tests/modeler/cutting/rooms).
+TEST(KeptRooms, AreCutExactly) {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(ENFILADE_SOURCE_DIR "/tests/modeler/cutting/rooms")) {
+        cut_from_file(entry.path());
+        ++count;
+    }
+    EXPECT_GE(count, 10u);
+}
+
+TEST(KeptRooms, TheOneAskedForIsCutExactly) {
     const char* const file = std::getenv("ENFILADE_ROOM");
     if (!file) GTEST_SKIP() << "no room to cut again (ENFILADE_ROOM=file)";
-    std::ifstream in(file);
-    std::vector<Tally> tallies(std::size(cutters));
-    cut_in_every_way(testing::read_room(in), file, tallies);
+    cut_from_file(file);
 }
+
+class LargeRooms : public ::testing::TestWithParam<testing::LargeRoom> {};
+
+/// Ten thousand corners in a time that a user waits for; the bound leaves room for sanitizers and busy machines, the
+/// time itself is printed (2 s are promised).
+TEST_P(LargeRooms, AreCutExactlyAndSoon) {
+    const Room room = testing::large_room(GetParam(), 10000, 1);
+    const auto start = std::chrono::steady_clock::now();
+    const Partition partition = sah_partition(room.points, room.sides, PartitionGoal::Convex, {});
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const testing::PartitionVerdict verdict =
+        testing::judge_partition(room.points, room.sides, partition, {PartitionGoal::Convex, true});
+    EXPECT_EQ(verdict.text(), "");
+    EXPECT_LT(seconds.count(), 40);
+    std::cout << room.sides.size() << " sides, " << partition.piece_count() << " pieces in " << seconds.count()
+              << " s\n";
+}
+
+std::string name_of_kind(const ::testing::TestParamInfo<testing::LargeRoom>& kind) {
+    constexpr const char* names[] = {"Comb", "Star", "Spiral", "Circle", "Columns", "CurvedCorridor"};
+    return names[std::size_t(kind.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LargeRooms,
+                         ::testing::Values(testing::LargeRoom::Comb, testing::LargeRoom::Star,
+                                           testing::LargeRoom::Spiral, testing::LargeRoom::Circle,
+                                           testing::LargeRoom::Columns, testing::LargeRoom::CurvedCorridor),
+                         name_of_kind);
 
 }  // namespace
 }  // namespace enfilade::modeler
