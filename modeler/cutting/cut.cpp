@@ -164,6 +164,25 @@ RegionPolygon RegionCutter::polygon(std::uint32_t r) const {
     return result;
 }
 
+bool RegionCutter::same_in(const RegionCutter& other, std::uint32_t r) const {
+    const Stack &s = stack_, &t = other.stack_;
+    if (r >= t.regions.size()) return false;
+    const Region &a = s.regions[r], &b = t.regions[r];
+    if (a.half_edge_count != b.half_edge_count || a.carries_light != b.carries_light ||
+        s.bands[a.last_band].z_high - s.bands[a.first_band].z_low !=
+            t.bands[b.last_band].z_high - t.bands[b.first_band].z_low)
+        return false;
+    for (std::uint32_t k = 0; k < a.half_edge_count; ++k) {
+        const std::uint32_t i = a.first_half_edge + k, j = b.first_half_edge + k, h = s.boundary[i];
+        if (h != t.boundary[j] || look_[i] != other.look_[j] || faces_[i] != other.faces_[j]) return false;
+        const StackEdge &e = s.edges[h / 2], &f = t.edges[h / 2];
+        if (e.a != f.a || e.b != f.b || e.line != f.line || s.points[e.a] != t.points[f.a] ||
+            s.points[e.b] != t.points[f.b])
+            return false;
+    }
+    return true;
+}
+
 RegionCut RegionCutter::cut(RegionPolygon polygon) const {
     RegionCut result;
     if (polygon.sides.empty()) return result;

@@ -74,6 +74,8 @@ public:
     [[nodiscard]] RegionCut cut(std::uint32_t region) const { return cut(polygon(region)); }
     [[nodiscard]] RegionPolygon polygon(std::uint32_t region) const;
     [[nodiscard]] RegionCut cut(RegionPolygon polygon) const;
+    /// Whether the region is the same in the other's stack, number by number, and so is its cut by the same options.
+    [[nodiscard]] bool same_in(const RegionCutter& other, std::uint32_t region) const;
 
 private:
     const Stack& stack_;

@@ -10,19 +10,28 @@ namespace {
 
 using plans::GridPoint;
 
-/// The number of each value in the order of their first use: equal where both sequences repeat alike.
-class FirstUse {
-public:
-    std::uint32_t number(std::uint32_t value) {
-        const auto at = std::find(values_.begin(), values_.end(), value);
-        if (at != values_.end()) return std::uint32_t(at - values_.begin());
-        values_.push_back(value);
-        return std::uint32_t(values_.size() - 1);
-    }
+std::vector<std::uint32_t> sorted_unique(std::vector<std::uint32_t> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
 
-private:
-    std::vector<std::uint32_t> values_;
-};
+std::size_t place_in(const std::vector<std::uint32_t>& sorted, std::uint32_t value) {
+    return std::size_t(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+}
+
+/// For each value the number of different ones before its first use: equal where two sequences repeat alike.
+std::vector<std::uint32_t> numbered_by_first_use(const std::vector<std::uint32_t>& values) {
+    const std::vector<std::uint32_t> known = sorted_unique(values);
+    std::vector<std::uint32_t> number(known.size(), UINT32_MAX), result;
+    std::uint32_t count = 0;
+    for (const std::uint32_t value : values) {
+        std::uint32_t& of = number[place_in(known, value)];
+        if (of == UINT32_MAX) of = count++;
+        result.push_back(of);
+    }
+    return result;
+}
 
 /// A region in numbers of its own: two regions with the same are cut alike.
 struct Shape {
@@ -34,21 +43,23 @@ struct Shape {
 
 Shape shape_of(const Stack& stack, RegionPolygon polygon) {
     Shape shape;
-    for (const PolygonSide& side : polygon.sides) shape.lines.push_back(side.line);
-    std::sort(shape.lines.begin(), shape.lines.end());
-    shape.lines.erase(std::unique(shape.lines.begin(), shape.lines.end()), shape.lines.end());
+    std::vector<std::uint32_t> looks;
+    for (const PolygonSide& side : polygon.sides) {
+        shape.lines.push_back(side.line);
+        looks.push_back(side.look);
+    }
+    shape.lines = sorted_unique(std::move(shape.lines));
+    looks = numbered_by_first_use(looks);
     std::vector<std::uint32_t>& content = shape.content;
     content = {std::uint32_t(polygon.height), polygon.carries_light ? 1u : 0u, std::uint32_t(polygon.points.size())};
     for (const std::uint32_t p : polygon.points) {
         content.push_back(std::uint32_t(stack.points[p].x));
         content.push_back(std::uint32_t(stack.points[p].y));
     }
-    FirstUse looks;
-    std::uint32_t last_look = 0, last_number = 0;
-    for (const PolygonSide& side : polygon.sides) {
-        const auto line = std::lower_bound(shape.lines.begin(), shape.lines.end(), side.line) - shape.lines.begin();
-        if (&side == polygon.sides.data() || side.look != last_look) last_number = looks.number(last_look = side.look);
-        content.insert(content.end(), {side.from, side.to, std::uint32_t(line), last_number, side.faces});
+    for (std::size_t k = 0; k < polygon.sides.size(); ++k) {
+        const PolygonSide& side = polygon.sides[k];
+        content.insert(content.end(),
+                       {side.from, side.to, std::uint32_t(place_in(shape.lines, side.line)), looks[k], side.faces});
     }
     for (const std::uint32_t word : content)
         shape.hash = (shape.hash ^ word) * 0x9e3779b97f4a7c15u + (shape.hash >> 29);
@@ -71,9 +82,9 @@ RegionCut renumbered(const RegionCut& cut, const Shape& before, const Shape& aft
             side.tag = (*at)[1];
         }
         if (side.line < first_disc_line) {
-            const auto at = std::lower_bound(before.lines.begin(), before.lines.end(), side.line);
-            ENFILADE_CHECK(at != before.lines.end() && *at == side.line);
-            side.line = after.lines[std::size_t(at - before.lines.begin())];
+            const std::size_t at = place_in(before.lines, side.line);
+            ENFILADE_CHECK(at < before.lines.size() && before.lines[at] == side.line);
+            side.line = after.lines[at];
         }
     }
     return result;
@@ -85,26 +96,33 @@ ReusedCuts reuse_cuts(const Stack& before, std::span<const RegionCut> cuts, cons
                       const CutOptions& options, const accel::Executor& executor) {
     ENFILADE_CHECK(cuts.size() == before.regions.size());
     const RegionCutter old_cutter(before, options), cutter(after, options);
-    std::vector<Shape> known;
-    known.reserve(before.regions.size());
-    std::unordered_multimap<std::size_t, std::uint32_t> by_hash;
-    for (std::uint32_t r = 0; r < before.regions.size(); ++r) {
-        known.push_back(shape_of(before, old_cutter.polygon(r)));
-        by_hash.emplace(known.back().hash, r);
-    }
     ReusedCuts result;
     result.cuts.resize(after.regions.size());
-    std::vector<RegionPolygon> to_cut;
+    std::vector<std::uint32_t> changed;
     for (std::uint32_t r = 0; r < after.regions.size(); ++r) {
+        if (cutter.same_in(old_cutter, r)) result.cuts[r] = cuts[r];
+        else changed.push_back(r);
+    }
+    // What changed its number only is found by its shape.
+    std::unordered_multimap<std::size_t, std::uint32_t> by_hash;
+    std::vector<Shape> known;
+    std::vector<std::uint32_t> known_region;
+    const auto learn = [&](std::uint32_t r) {
+        known_region.push_back(r);
+        known.push_back(shape_of(before, old_cutter.polygon(r)));
+        by_hash.emplace(known.back().hash, std::uint32_t(known.size() - 1));
+    };
+    for (const std::uint32_t r : changed)
+        if (r < before.regions.size()) learn(r);
+    for (std::uint32_t r = std::uint32_t(after.regions.size()); r < before.regions.size(); ++r) learn(r);
+    std::vector<RegionPolygon> to_cut;
+    for (const std::uint32_t r : changed) {
         Shape shape = shape_of(after, cutter.polygon(r));
-        const auto matches = [&](std::uint32_t old) { return known[old].content == shape.content; };
         std::uint32_t match = UINT32_MAX;
-        if (r < known.size() && matches(r)) match = r;
-        else
-            for (auto [at, end] = by_hash.equal_range(shape.hash); at != end; ++at)
-                if (at->second < match && matches(at->second)) match = at->second;
+        for (auto [at, end] = by_hash.equal_range(shape.hash); at != end; ++at)
+            if (known[at->second].content == shape.content) match = std::min(match, at->second);
         if (match != UINT32_MAX) {
-            result.cuts[r] = renumbered(cuts[match], known[match], shape);
+            result.cuts[r] = renumbered(cuts[known_region[match]], known[match], shape);
         } else {
             result.cut_again.push_back(r);
             to_cut.push_back(std::move(shape.polygon));

@@ -29,6 +29,16 @@ inline std::vector<std::uint32_t> spaces_labelled(const modeler::Building& build
     return found;
 }
 
+/// The rooms that have volumes, ascending.
+inline std::vector<std::uint32_t> rooms_of(const modeler::Building& building) {
+    std::vector<std::uint32_t> rooms;
+    for (const modeler::Volume& volume : building.volumes)
+        if (volume.label == accel::Label::Room) rooms.push_back(volume.space);
+    std::sort(rooms.begin(), rooms.end());
+    rooms.erase(std::unique(rooms.begin(), rooms.end()), rooms.end());
+    return rooms;
+}
+
 /// Corners of a volume's floor.
 inline std::vector<plans::GridPoint> floor_of(const modeler::Building& building, const modeler::Volume& volume) {
     std::vector<plans::GridPoint> ring;

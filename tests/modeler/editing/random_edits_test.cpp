@@ -64,7 +64,7 @@ Box any_box(const Building& building, std::uint32_t room, const std::string& id)
 
 /// Boxes of a few rooms that can stand together.
 std::vector<Box> any_boxes(const Building& building, int count) {
-    const std::vector<std::uint32_t> all = testing::spaces_labelled(building, Label::Room);
+    const std::vector<std::uint32_t> all = testing::rooms_of(building);
     const std::vector<std::uint32_t> rooms = {*rc::gen::elementOf(all), *rc::gen::elementOf(all)};
     std::vector<Box> boxes;
     for (int k = 0; k < count; ++k) {
@@ -110,7 +110,7 @@ RC_GTEST_PROP(RandomEdits, OfPlansAsNobodyShouldDrawThemAreSoundOrRefused, ()) {
     } catch (const InputError&) {
         RC_DISCARD("no building");
     }
-    if (testing::spaces_labelled(*before, Label::Room).empty()) RC_DISCARD("no room");
+    if (testing::rooms_of(*before).empty()) RC_DISCARD("no room");
     const std::string known = errors_of(*before);
     const std::vector<Box> boxes = any_boxes(*before, 3);
     RC_LOG() << text_of(boxes, -1);
