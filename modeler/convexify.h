@@ -1,8 +1,9 @@
 #pragma once
 // Rooms into convex cells.
 
+#include "accel/parallel_for.h"
 #include "modeler/building.h"
-#include "modeler/cutting/cut.h"
+#include "modeler/cutting/cut_options.h"
 
 namespace enfilade::modeler {
 

@@ -53,9 +53,6 @@ double stray(const Ring& ring) {
     return worst;
 }
 
-/// A point of a line is rounded twice, by half a unit per axis each time; the ends of the line's chord once.
-const double most_stray = 1.5 * std::sqrt(2.0);
-
 void blame_volume(const Building& building, std::uint32_t v, std::string sentence, Blame& blame, CheckReport& report) {
     Finding finding{.code = "G8", .severity = Severity::Error, .sentence = std::move(sentence)};
     finding.hint = "This is a fault of the convexifier or of the grid: try a finer --snap-mm, and report the plan.";

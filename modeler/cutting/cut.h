@@ -7,23 +7,11 @@
 #include <vector>
 
 #include "accel/parallel_for.h"
-#include "modeler/cutting/cut_cost.h"
+#include "modeler/cutting/cut_options.h"
 #include "modeler/cutting/polygon.h"
 #include "modeler/stack.h"
 
 namespace enfilade::modeler {
-
-enum class Convexifier : std::uint8_t {
-    Sah,             ///< few cells, small portals (sah_partition.h)
-    HertelMehlhorn,  ///< constrained Delaunay triangulation, diagonals taken out while pieces stay convex
-    Diagonals,       ///< one convex piece after the other along the boundary (diagonal_partition.h)
-};
-
-struct CutOptions {
-    bool convex = false;  ///< volumes that carry light are convex; else they are cut only as far as each is a ball
-    Convexifier convexifier = Convexifier::Sah;
-    CutCost cost = {};
-};
 
 /// A region cut, by itself: first into discs, then each disc of a region that carries light into convex pieces, so that
 /// pieces sum to the volume that they were before. Points count the region's own, then the new ones.

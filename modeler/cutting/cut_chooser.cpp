@@ -11,8 +11,10 @@ using plans::GridPoint;
 namespace {
 
 constexpr double unreachable = 1e18;
-/// Looks end after so many triangles where a polygon has very many corners: the time stays n log n.
-constexpr std::uint32_t near_limit = 64, far_limit = 4096, far_corners = 256;
+/// In a polygon with more corners than this, only every so many of them look far, and the others end after so many
+/// triangles; what a new cut changes for long looks is found out when it is their turn. The time stays n log n.
+constexpr std::size_t many_corners = 128;
+constexpr std::uint32_t near_limit = 48, far_limit = 1024, eager_limit = 16;
 /// Corners beyond this number find partners only among their neighbours.
 constexpr std::size_t pair_limit = 64;
 
@@ -22,9 +24,11 @@ double length(Direction d) { return std::hypot(double(d.x), double(d.y)); }
 
 }  // namespace
 
-CutChooser::CutChooser(std::span<const GridPoint> points, std::span<const PolygonSide> sides, CutPrice price)
+CutChooser::CutChooser(std::span<const GridPoint> points, std::span<const PolygonSide> sides, CutPrice price,
+                       bool exact)
     : sides_(sides),
       price_(price),
+      exact_(exact),
       sight_(points, sides),
       before_(sight_.corners_before()),
       subdivision_(points, sides, before_) {
@@ -34,6 +38,8 @@ CutChooser::CutChooser(std::span<const GridPoint> points, std::span<const Polygo
     find_dominant_direction();
     find_arcs();
 }
+
+bool CutChooser::is_small() const { return corners_.size() <= many_corners; }
 
 void CutChooser::find_corners(std::span<const std::uint32_t> before) {
     // Straight runs: the chord of a run tells its direction, whatever rounding did to its sides.
@@ -52,11 +58,19 @@ void CutChooser::find_corners(std::span<const std::uint32_t> before) {
     for (std::uint32_t k = 0; k < sides_.size(); ++k) {
         const std::uint32_t in = before[k];
         if (goes_on(k) || run_first[in] == no_index) continue;
-        const GridPoint start = at(sides_[run_first[in]].from), v = at(sides_[k].from), end = at(sides_[run_last[k]].to);
-        if (orientation(start, v, end) >= 0 || orientation(at(sides_[in].from), v, at(sides_[k].to)) >= 0) continue;
+        const GridPoint start = at(sides_[run_first[in]].from), v = at(sides_[k].from),
+                        end = at(sides_[run_last[k]].to);
+        if (!turns_right(start, at(sides_[in].from), v, at(sides_[k].to), end)) continue;
         const std::uint32_t id = std::uint32_t(corners_.size());
-        corners_.push_back({sides_[k].from, sight_.along(k), direction(start, v), direction(v, end), sides_[in].line,
-                            sides_[k].line, true, unreachable, {}});
+        corners_.push_back({sides_[k].from,
+                            sight_.along(k),
+                            direction(start, v),
+                            direction(v, end),
+                            sides_[in].line,
+                            sides_[k].line,
+                            true,
+                            unreachable,
+                            {}});
         next_corner_.push_back(first_corner_[sides_[k].from]);
         first_corner_[sides_[k].from] = id;
     }
@@ -86,8 +100,7 @@ void CutChooser::find_dominant_direction() {
 /// Chains of reflex corners that turn little by little: along the chord of such a chain lies the box of a curved wall.
 void CutChooser::find_arcs() {
     std::vector<std::uint32_t> corner_of(sides_.size(), no_index);  // the corner at the beginning of a side
-    for (std::uint32_t c = 0; c < corners_.size(); ++c)
-        corner_of[sight_.triangles().side[corners_[c].start]] = c;
+    for (std::uint32_t c = 0; c < corners_.size(); ++c) corner_of[sight_.triangles().side[corners_[c].start]] = c;
     const auto turns_gently = [&](std::uint32_t c) {
         const Direction in = corners_[c].in, out = corners_[c].out;
         return dot(in, out) > 0 && std::abs(double(cross(in, out))) < double(dot(in, out)) * 1.2;
@@ -137,12 +150,40 @@ void CutChooser::add(std::uint32_t corner, Direction d, std::uint32_t line) {
     if ((d.x == 0 && d.y == 0) || !resolves(corners_[corner], d, line)) return;
     for (const std::uint32_t k : corners_[corner].candidates) {
         const Candidate& other = candidates_[k];
-        if (other.line == line && cross(other.d, d) == 0 && dot(other.d, d) > 0) return;
+        if (other.wanted_line == line && cross(other.d, d) == 0 && dot(other.d, d) > 0) return;
     }
     const std::uint32_t id = std::uint32_t(candidates_.size());
-    candidates_.push_back({corner, d, line, 0, false, 0, {}, {}});
+    candidates_.push_back({corner, d, line, line, 0, false, 0, false, 0, {}, {}});
     corners_[corner].candidates.push_back(id);
     look(id);
+}
+
+bool CutChooser::is_on_track(const Hit& hit) const {
+    const std::vector<std::uint32_t>& nodes = subdivision_.track(hit.id).nodes;
+    return orientation(at(nodes.front()), at(nodes.back()), hit.point) == 0;
+}
+
+/// Whether a cut goes on so straight that it may count as part of the line that it prolongs.
+bool CutChooser::prolongs(const Corner& corner, const Candidate& candidate) const {
+    const Direction along = candidate.line == corner.line_in ? corner.in : reversed(corner.out);
+    const Direction d = direction(at(corner.point), candidate.hit.point);
+    const std::int64_t bend = cross(along, d);
+    if (bend != 0) return false;
+    // Where it meets another side of its line, both have to run alike.
+    return along.x == 0 || along.y == 0 || candidate.hit.at != Hit::At::Point ||
+           !subdivision_.touches_line(candidate.hit.id, candidate.line);
+}
+
+/// A direction to another point of the track that a cut hits, a unit on, where rounding left the cut on the wrong side
+/// of an edge of its corner.
+Direction CutChooser::nudged(const Corner& corner, const Hit& hit, int units) const {
+    const Direction d = direction(at(corner.point), hit.point);
+    const Direction edge = cross(corner.in, d) < 0 ? corner.in : corner.out;
+    Direction along =
+        direction(at(subdivision_.track(hit.id).nodes.front()), at(subdivision_.track(hit.id).nodes.back()));
+    if (cross(edge, along) < 0) along = reversed(along);
+    const double scale = units / length(along);
+    return {d.x + std::lround(double(along.x) * scale), d.y + std::lround(double(along.y) * scale)};
 }
 
 void CutChooser::look(std::uint32_t id) {
@@ -150,19 +191,45 @@ void CutChooser::look(std::uint32_t id) {
     const Corner& corner = corners_[candidate.corner];
     ++candidate.version;
     candidate.alive = false;
-    const bool is_large = corners_.size() > 2 * far_corners;
-    const bool sees_far = !is_large || candidate.corner % (corners_.size() / far_corners) == 0;
+    candidate.looked_at = cut_count_;
+    const bool sees_far = candidate.corner % (corners_.size() / many_corners + 1) == 0;
+    const std::uint32_t limit = is_small() ? no_index : sees_far ? far_limit : near_limit;
+    // Where it would pass or meet a point too closely it goes straight to that point.
     Direction d = candidate.d;
-    for (int attempt = 0; attempt < 3; ++attempt) {
-        candidate.hit =
-            sight_.look(corner.start, d, !is_large ? no_index : sees_far ? far_limit : near_limit, candidate.passed);
-        if (candidate.hit.at != Hit::At::Point || !candidate.hit.moved) break;
-        d = direction(at(corner.point), candidate.hit.point);  // straight to the point that it would pass
+    Hit& hit = candidate.hit;
+    for (int attempt = 0;; ++attempt) {
+        if (attempt == 6) return;
+        hit = sight_.look(corner.start, d, limit, candidate.passed);
+        if (hit.at == Hit::At::Nothing) return;
+        std::uint32_t aim = no_index;
+        if (hit.at == Hit::At::Point) {
+            if (!hit.moved) break;
+            aim = hit.id;
+        } else {
+            const std::uint32_t node = subdivision_.node_near(hit.id, at(corner.point), hit.point);
+            if (node == no_index) {
+                if (resolves(corner, direction(at(corner.point), hit.point), no_index) || attempt > 3) break;
+                d = nudged(corner, hit, attempt + 1);
+                continue;
+            }
+            const Direction straight = direction(at(corner.point), at(node));
+            if (cross(straight, d) == 0) {  // it is aimed at
+                hit.point = at(node);
+                break;
+            }
+            aim = node;
+        }
+        if (aim == corner.point) return;
+        d = direction(at(corner.point), at(aim));
     }
-    if (candidate.hit.at == Hit::At::Nothing || candidate.hit.moved) return;
-    if (!resolves(corner, direction(at(corner.point), candidate.hit.point), candidate.line)) return;
+    if (exact_ && hit.at != Hit::At::Point && !is_on_track(hit)) return;
+    candidate.is_moved = cross(candidate.d, direction(at(corner.point), hit.point)) != 0 && cross(d, candidate.d) != 0;
+    candidate.line = candidate.wanted_line;
+    if (candidate.line != no_index && !prolongs(corner, candidate)) candidate.line = no_index;
+    if (!resolves(corner, direction(at(corner.point), hit.point), candidate.line)) return;
     candidate.alive = true;
     candidate.cost = candidate.hit.length + price_.cut + (candidate.hit.at == Hit::At::Point ? 0 : price_.new_node);
+    if (!is_small() && candidate.passed.size() > eager_limit) return;
     for (const std::uint32_t triangle : candidate.passed) seen_from_[triangle].push_back(id);
 }
 
@@ -223,8 +290,8 @@ void CutChooser::for_each_passed_corner(std::span<const std::uint32_t> passed, V
 /// The point of the segment nearest to `p`, rounded.
 static GridPoint foot(GridPoint p, GridPoint a, GridPoint b) {
     const Direction along = direction(a, b);
-    const double t =
-        std::clamp(double(dot(direction(a, p), along)) / double(std::max<std::int64_t>(dot(along, along), 1)), 0.0, 1.0);
+    const double t = std::clamp(
+        double(dot(direction(a, p), along)) / double(std::max<std::int64_t>(dot(along, along), 1)), 0.0, 1.0);
     return {std::int32_t(std::lround(a.x + t * double(along.x))), std::int32_t(std::lround(a.y + t * double(along.y)))};
 }
 
@@ -262,8 +329,15 @@ void CutChooser::run() {
         queue_.pop();
         const Candidate& candidate = candidates_[best.candidate];
         if (!candidate.alive || candidate.version != best.version) continue;
+        if (!is_small() && candidate.looked_at != cut_count_) {  // a cut may have come between
+            const double before = candidate.cost;
+            look(best.candidate);
+            if (!candidate.alive) update_cheapest(corners_[candidate.corner]);
+            else if (candidate.cost != before) push(best.candidate);
+            if (!candidate.alive || candidate.cost != before) continue;
+        }
         const double now = score(candidate);
-        if (now > best.score + 1e-6) queue_.push({now, candidate.cost, best.candidate, best.version});
+        if (now > best.score + 1e-6) queue_.push({now, candidate.cost, best.candidate, candidate.version});
         else accept(best.candidate);
     }
 }
@@ -278,8 +352,16 @@ void CutChooser::accept(std::uint32_t id) {
     Corner& corner = corners_[made.corner];
     candidates_[id].alive = false;
     std::uint32_t end = made.hit.id;
-    if (made.hit.at == Hit::At::Side || made.hit.at == Hit::At::Cut)
-        end = subdivision_.node_near(made.hit.id, made.hit.point);
+    if (made.hit.at != Hit::At::Point) {
+        end = subdivision_.node_near(made.hit.id, at(corner.point), made.hit.point);
+        if (end != no_index && at(end) != made.hit.point) {  // made since it was looked
+            look(id);
+            update_cheapest(corner);
+            push(id);
+            return;
+        }
+        if (end == no_index) end = subdivision_.add_node(made.hit.id, made.hit.point);
+    }
     const Direction d = direction(at(corner.point), at(end));
     std::uint32_t track = no_index;
     if (resolves(corner, d, made.line)) {
@@ -290,11 +372,12 @@ void CutChooser::accept(std::uint32_t id) {
         update_cheapest(corner);
         return;
     }
-    moved_ += cross(made.d, d) != 0 && made.hit.at == Hit::At::Point;
+    moved_ += made.is_moved;
     const GridPoint a = at(corner.point), b = at(end);
     sight_.add_cut(track, a, b, made.passed);
     close(corner);
     meet_corners(end, reversed(d), subdivision_.track(track).line);
+    ++cut_count_;
     cut_others(made, a, b);
     offer_feet(made, a, b);
 }
@@ -355,7 +438,9 @@ void CutChooser::offer_feet(const Candidate& made, GridPoint a, GridPoint b) {
     for_each_passed_corner(made.passed, [&](std::uint32_t c) { open.push_back(c); });
     for (const std::uint32_t c : open) {
         const std::size_t count = candidates_.size();
-        add(c, direction(at(corners_[c].point), foot(at(corners_[c].point), a, b)));
+        const Direction d = direction(at(corners_[c].point), foot(at(corners_[c].point), a, b));
+        if (length(d) + price_.cut >= corners_[c].cheapest) continue;
+        add(c, d);
         if (candidates_.size() == count) continue;
         update_cheapest(corners_[c]);
         push(std::uint32_t(count));

@@ -21,7 +21,9 @@ struct CutPrice {
 /// saves of the cheapest cuts at the corners that are still open (README.md, "Which cut next").
 class CutChooser {
 public:
-    CutChooser(std::span<const plans::GridPoint> points, std::span<const PolygonSide> sides, CutPrice price);
+    /// `exact`: cuts end in the middle of sides and of other cuts only at points of the grid that lie on them.
+    CutChooser(std::span<const plans::GridPoint> points, std::span<const PolygonSide> sides, CutPrice price,
+               bool exact);
 
     /// Makes cuts until no corner is open, or none that is can be closed by a cut.
     void run();
@@ -32,8 +34,8 @@ public:
 private:
     struct Corner {
         std::uint32_t point;
-        std::uint32_t start;        ///< half-edge of the triangles along the side that leaves
-        Direction in, out;          ///< of the edges between which it is reflex
+        std::uint32_t start;  ///< half-edge of the triangles along the side that leaves
+        Direction in, out;    ///< of the edges between which it is reflex
         std::uint32_t line_in, line_out;
         bool open = true;
         double cheapest = 0;
@@ -42,9 +44,12 @@ private:
     struct Candidate {
         std::uint32_t corner;
         Direction d;
-        std::uint32_t line;  ///< of the side that it prolongs; `no_index` for others
+        std::uint32_t wanted_line;  ///< of the side that it should prolong; `no_index` for others
+        std::uint32_t line;         ///< the same where it goes on straight enough
         std::uint32_t version = 0;
         bool alive = false;
+        std::uint32_t looked_at = 0;  ///< cuts made before
+        bool is_moved = false;        ///< from where it would have passed a point too closely
         double cost = 0;
         Hit hit;
         std::vector<std::uint32_t> passed;
@@ -59,6 +64,7 @@ private:
         }
     };
 
+    [[nodiscard]] bool is_small() const;
     void find_corners(std::span<const std::uint32_t> before);
     void find_dominant_direction();
     void find_arcs();
@@ -75,6 +81,9 @@ private:
     void offer_feet(const Candidate& made, plans::GridPoint a, plans::GridPoint b);
     void update_cheapest(Corner& corner);
     [[nodiscard]] bool resolves(const Corner& corner, Direction d, std::uint32_t line) const;
+    [[nodiscard]] bool is_on_track(const Hit& hit) const;
+    [[nodiscard]] bool prolongs(const Corner& corner, const Candidate& candidate) const;
+    [[nodiscard]] Direction nudged(const Corner& corner, const Hit& hit, int units) const;
     [[nodiscard]] double score(const Candidate& candidate);
     /// Calls visit(corner) once for each open corner of the triangles passed.
     template <class Visit>
@@ -83,12 +92,13 @@ private:
 
     std::span<const PolygonSide> sides_;
     CutPrice price_;
+    bool exact_;
     Sight sight_;
     std::vector<std::uint32_t> before_;  ///< [side]
     Subdivision subdivision_;
     std::vector<Corner> corners_;
-    std::vector<std::uint32_t> first_corner_;  ///< [point] into corners_
-    std::vector<std::uint32_t> next_corner_;   ///< [corner] at the same point
+    std::vector<std::uint32_t> first_corner_;    ///< [point] into corners_
+    std::vector<std::uint32_t> next_corner_;     ///< [corner] at the same point
     std::vector<std::vector<Direction>> extra_;  ///< [corner] directions along and across its arc's chord
     std::vector<Candidate> candidates_;
     std::vector<std::vector<std::uint32_t>> seen_from_;  ///< [triangle] candidates that pass it
@@ -96,7 +106,7 @@ private:
     std::vector<std::uint32_t> stamp_;  ///< [corner]
     std::uint32_t stamp_now_ = 0;
     Direction dominant_ = {1, 0};
-    std::uint32_t moved_ = 0;
+    std::uint32_t moved_ = 0, cut_count_ = 0;
 };
 
 }  // namespace enfilade::modeler

@@ -113,7 +113,6 @@ private:
             if (!is_one(side, after)) is_needed[side.to] = true;
         }
         Partition result;
-        result.new_points = std::move(pieces_.new_points);
         result.moved = pieces_.moved;
         result.fallen_back = pieces_.fallen_back;
         std::vector<bool> seen(next_.size(), false);
@@ -131,6 +130,8 @@ private:
             }
             result.first_side.push_back(std::uint32_t(result.sides.size()));
         }
+        result.new_points = std::move(pieces_.new_points);
+        drop_unused_points(given_point_count_, result);
         return result;
     }
 

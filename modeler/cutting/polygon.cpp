@@ -17,9 +17,7 @@ std::optional<std::size_t> reflex_corner(std::span<const RingCorner> ring) {
     for (std::size_t e = 0; e < ends.size(); ++e) {
         const std::size_t k = ends[e], before = ends[(e + ends.size() - 1) % ends.size()],
                           after = ends[(e + 1) % ends.size()];
-        if (orientation(at(before).point, at(k).point, at(after).point) < 0 &&
-            orientation(at(k + n - 1).point, at(k).point, at(k + 1).point) < 0)
-            return k;
+        if (turns_right(at(before).point, at(k + n - 1).point, at(k).point, at(k + 1).point, at(after).point)) return k;
     }
     return std::nullopt;
 }
@@ -28,6 +26,22 @@ std::int64_t area2(std::span<const GridPoint> points, std::span<const PolygonSid
     std::int64_t sum = 0;
     for (const PolygonSide& side : ring) sum += orientation(points[ring[0].from], points[side.from], points[side.to]);
     return sum;
+}
+
+void drop_unused_points(std::uint32_t given, Partition& partition) {
+    std::vector<std::uint32_t> number(partition.new_points.size(), UINT32_MAX);
+    std::vector<GridPoint> used;
+    for (PolygonSide& side : partition.sides)
+        for (std::uint32_t* end : {&side.from, &side.to}) {
+            if (*end < given) continue;
+            std::uint32_t& n = number[*end - given];
+            if (n == UINT32_MAX) {
+                n = given + std::uint32_t(used.size());
+                used.push_back(partition.new_points[*end - given]);
+            }
+            *end = n;
+        }
+    partition.new_points = std::move(used);
 }
 
 std::vector<std::uint32_t> simple_ring(std::span<const PolygonSide> sides) {

@@ -14,7 +14,7 @@ namespace enfilade::modeler {
 struct PolygonSide {
     std::uint32_t from = 0;  ///< into the points of the polygon
     std::uint32_t to = 0;
-    std::uint32_t line = 0;   ///< consecutive sides of one line count as straight
+    std::uint32_t line = 0;   ///< consecutive sides of one line count as straight; below `first_cut_line` if given
     std::uint32_t tag = 0;    ///< handed through
     std::uint32_t look = 0;   ///< consecutive sides of one line that look alike become one vertical section
     std::uint32_t faces = 1;  ///< faces of the stack over it
@@ -58,13 +58,31 @@ struct RingCorner {
     std::uint32_t line = 0;  ///< of the side that leaves the corner
 };
 
-/// A corner of a counter-clockwise ring that turns right between different lines. Rounding bends lines by a unit: a
-/// corner counts only where it turns right between its two sides and between the chords of the straight runs that they
-/// end.
+/// Farthest that rounding moves points of one line from its chord, in grid units: each point is rounded twice, by half
+/// a unit per axis each time, the ends of the chord once.
+inline constexpr double most_stray = 1.5 * 1.4142135623730951;
+
+/// Whether a ring turns right at `corner`, from the run of one line that begins at `run_before` and ends with the side
+/// from `before`, to the run that begins with the side to `after` and ends at `run_after`. Rounding bends lines by a
+/// unit: a corner counts only where the chords of both runs turn right, and either the sides do so, too, or the corner
+/// lies deeper within than rounding moves it.
+[[nodiscard]] inline bool turns_right(plans::GridPoint run_before, plans::GridPoint before, plans::GridPoint corner,
+                                      plans::GridPoint after, plans::GridPoint run_after) {
+    const std::int64_t turn = orientation(run_before, corner, run_after);
+    if (turn >= 0) return false;
+    if (orientation(before, corner, after) < 0) return true;
+    const double x = double(run_after.x) - run_before.x, y = double(run_after.y) - run_before.y;
+    return double(turn) * double(turn) > most_stray * most_stray * (x * x + y * y);
+}
+
+/// A corner of a counter-clockwise ring that turns right (`turns_right`) between different lines.
 [[nodiscard]] std::optional<std::size_t> reflex_corner(std::span<const RingCorner> ring);
 
 /// Twice the area of a ring.
 [[nodiscard]] std::int64_t area2(std::span<const plans::GridPoint> points, std::span<const PolygonSide> ring);
+
+/// Leaves out the new points that no piece touches.
+void drop_unused_points(std::uint32_t given_point_count, Partition& partition);
 
 /// The order of the sides of a polygon that is one ring and visits no point twice: indices into `sides`, each followed
 /// by the side that leaves where it ends. Empty for any other polygon.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "modeler/cutting/cut_chooser.h"
 #include "modeler/cutting/disc_merge.h"
+#include "modeler/cutting/plane_check.h"
 #include "modeler/cutting/section_split.h"
 
 namespace enfilade::modeler {
@@ -59,6 +61,8 @@ std::vector<GridPoint> all_points(std::span<const GridPoint> points, const Parti
     return all;
 }
 
+constexpr std::uint32_t cut_lines_aside = first_cut_line / 4;
+
 /// Pieces that are not convex after all (rounding, or no cut was found) are cut along diagonals, and pieces with many
 /// sections further.
 Partition finish(std::span<const GridPoint> points, Partition rough, const SahOptions& options) {
@@ -77,14 +81,18 @@ Partition finish(std::span<const GridPoint> points, Partition rough, const SahOp
             continue;
         }
         ++result.fallen_back;
-        Partition parts = delaunay_partition(all, ring, PartitionGoal::Convex);
+        // Lines of cuts made so far stand aside from those of the diagonals.
+        std::vector<PolygonSide> aside(ring.begin(), ring.end());
+        for (PolygonSide& side : aside)
+            if (side.line >= first_cut_line) side.line -= cut_lines_aside;
+        Partition parts = delaunay_partition(all, aside, PartitionGoal::Convex);
         std::uint32_t last_line = next_line;
         for (PolygonSide& side : parts.sides) {
-            const bool is_own = std::none_of(ring.begin(), ring.end(),
-                                             [&](const PolygonSide& given) { return given.line == side.line; });
-            if (side.tag == cut_tag && is_own) {
+            if (side.line >= first_cut_line) {
                 side.line = side.line - first_cut_line + next_line;
                 last_line = std::max(last_line, side.line + 1);
+            } else if (side.line >= first_cut_line - cut_lines_aside) {
+                side.line += cut_lines_aside;
             }
         }
         next_line = last_line;
@@ -94,11 +102,17 @@ Partition finish(std::span<const GridPoint> points, Partition rough, const SahOp
     return result;
 }
 
-bool is_sound(std::span<const GridPoint> points, const Partition& partition) {
-    const std::vector<GridPoint> all = all_points(points, partition);
-    for (std::uint32_t k = 0; k < partition.piece_count(); ++k)
-        if (area2(all, partition.piece(k)) <= 0) return false;
-    return true;
+/// Cuts at all reflex corners, or nothing where rounding them to the grid made some of them meet.
+std::optional<Partition> cut_corners(std::span<const GridPoint> points, std::span<const PolygonSide> sides,
+                                     const SahOptions& options, bool exact) {
+    CutChooser chooser(points, sides, price_of(points, sides, options), exact);
+    chooser.run();
+    remove_needless(chooser.subdivision());
+    Partition rough = chooser.subdivision().collect(sides);
+    rough.moved = chooser.moved();
+    rough.fallen_back = exact ? 1 : 0;
+    if (!is_plane(all_points(points, rough), std::uint32_t(points.size()), rough)) return std::nullopt;
+    return rough;
 }
 
 }  // namespace
@@ -112,19 +126,17 @@ Partition sah_partition(std::span<const GridPoint> points, std::span<const Polyg
         whole.first_side.push_back(std::uint32_t(ring.size()));
         return goal == PartitionGoal::Disc ? whole : finish(points, std::move(whole), options);
     }
-    CutChooser chooser(points, sides, price_of(points, sides, options));
-    chooser.run();
-    Subdivision& subdivision = chooser.subdivision();
-    remove_needless(subdivision);
-    Partition rough = subdivision.collect(sides);
-    rough.moved = chooser.moved();
-    if (!is_sound(points, rough)) {
-        Partition safe = delaunay_partition(points, sides, goal);
-        if (goal == PartitionGoal::Convex) safe = finish(points, std::move(safe), options);
-        ++safe.fallen_back;
-        return safe;
-    }
-    return goal == PartitionGoal::Disc ? merge_to_discs(points, std::move(rough)) : finish(points, std::move(rough), options);
+    std::optional<Partition> rough = cut_corners(points, sides, options, false);
+    if (!rough) rough = cut_corners(points, sides, options, true);
+    // Where walls are needles, two short diagonals at a corner beat one cut that makes it convex.
+    Partition diagonals = delaunay_partition(points, sides, PartitionGoal::Convex);
+    diagonals.fallen_back = rough ? 0 : 1;
+    const auto cost = [&](const Partition& partition) {
+        return sah_sum(points, partition, options.unit, options.height, options.cost);
+    };
+    Partition& better = rough && cost(*rough) <= cost(diagonals) ? *rough : diagonals;
+    return goal == PartitionGoal::Disc ? merge_to_discs(points, std::move(better))
+                                       : finish(points, std::move(better), options);
 }
 
 }  // namespace enfilade::modeler

@@ -30,9 +30,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<PolygonSide>& sides() const { return sides_; }
-    [[nodiscard]] double cost() const {
-        return cost(lengths_.back(), areas_.back(), sections_.back(), faces_.back());
-    }
+    [[nodiscard]] double cost() const { return cost(lengths_.back(), areas_.back(), sections_.back(), faces_.back()); }
 
     struct Chord {
         std::uint32_t a = 0, b = 0;
@@ -105,10 +103,23 @@ private:
                          faces_.back() - faces + 1)};
     }
 
+    /// Whether both parts are convex and no other corner is too near to the chord, which bent sides may bring there.
     [[nodiscard]] bool is_sound(const Chord& chord) const {
+        const std::size_t n = sides_.size();
+        const GridPoint a = at(chord.a), b = at(chord.b);
+        const auto distance = [](GridPoint p, GridPoint q) { return std::hypot(double(q.x) - p.x, double(q.y) - p.y); };
+        const double length = distance(a, b);
+        for (std::size_t k = 0; k < n; ++k) {
+            if (k == chord.a || k == chord.b) continue;
+            const bool is_first = k > chord.a && k < chord.b;
+            const double off = double(orientation(a, b, at(k))) / length * (is_first ? -1 : 1);
+            const bool is_beside = std::min(distance(a, at(k)), distance(b, at(k))) < 8 * least_gap;
+            if (off <= 0 || (off < least_gap && !is_beside)) return false;
+        }
         for (const bool first : {true, false}) {
             std::vector<RingCorner> corners;
-            for (const PolygonSide& side : part(chord, first, cut_tag)) corners.push_back({points_[side.from], side.line});
+            for (const PolygonSide& side : part(chord, first, cut_tag))
+                corners.push_back({points_[side.from], side.line});
             if (reflex_corner(corners)) return false;
         }
         return true;
@@ -117,8 +128,8 @@ private:
     std::span<const GridPoint> points_;
     std::vector<PolygonSide> sides_;
     const SahOptions& options_;
-    std::vector<std::uint32_t> starts_;                         ///< sides that begin a section
-    std::vector<double> lengths_, areas_, sections_, faces_;    ///< [side + 1] of those before it
+    std::vector<std::uint32_t> starts_;                       ///< sides that begin a section
+    std::vector<double> lengths_, areas_, sections_, faces_;  ///< [side + 1] of those before it
 };
 
 }  // namespace

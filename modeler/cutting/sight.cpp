@@ -79,6 +79,30 @@ void Sight::meet_cuts(std::uint32_t triangle, GridPoint eye, Direction d, Neares
     }
 }
 
+/// Whether a cut would lie on a side of its own corner, or on a cut that starts there, but for a unit or two.
+bool Sight::is_sliver(std::uint32_t start, std::uint32_t first_triangle, const Hit& hit) const {
+    const GridPoint eye = points_[triangles_.from[start]];
+    const auto is_near = [&](GridPoint other) {
+        const Direction d = direction(eye, hit.point), o = direction(eye, other);
+        if (dot(d, o) <= 0) return false;
+        const double longest = std::max(std::hypot(double(d.x), double(d.y)), std::hypot(double(o.x), double(o.y)));
+        return std::abs(double(cross(d, o))) < least_gap * longest;
+    };
+    if (hit.length < least_gap && hit.at != Hit::At::Point) return true;
+    for (std::uint32_t e = first_cut_[first_triangle]; e != no_index; e = entries_[e].next) {
+        const Segment& cut = cuts_[entries_[e].cut];
+        if (cut.a == eye && is_near(cut.b)) return true;
+        if (cut.b == eye && is_near(cut.a)) return true;
+    }
+    for (const std::uint32_t k : {3 * first_triangle, 3 * first_triangle + 1, 3 * first_triangle + 2}) {
+        if (triangles_.twin[k] != no_index) continue;
+        const std::uint32_t to = triangles_.from[next_in_triangle(k)];
+        if (triangles_.from[k] == triangles_.from[start] && is_near(points_[to])) return true;
+        if (to == triangles_.from[start] && is_near(points_[triangles_.from[k]])) return true;
+    }
+    return false;
+}
+
 Hit Sight::look(std::uint32_t start, Direction d, std::uint32_t limit, std::vector<std::uint32_t>& passed) const {
     passed.clear();
     Hit hit;
@@ -131,7 +155,7 @@ Hit Sight::look(std::uint32_t start, Direction d, std::uint32_t limit, std::vect
     else hit.point = rounded_meeting(eye, d, cuts_[hit.id].a, cuts_[hit.id].b);
     if (hit.at == Hit::At::Cut) hit.id = cuts_[hit.id].id;
     hit.length = std::hypot(double(hit.point.x) - eye.x, double(hit.point.y) - eye.y);
-    if (hit.length < least_gap && hit.at != Hit::At::Point) hit.at = Hit::At::Nothing;
+    if (is_sliver(start, h / 3, hit)) hit.at = Hit::At::Nothing;
     return hit;
 }
 

@@ -59,6 +59,7 @@ private:
         std::uint32_t cut, next;
     };
     struct Nearest;
+    [[nodiscard]] bool is_sliver(std::uint32_t start, std::uint32_t first_triangle, const Hit& hit) const;
     void meet_point(std::uint32_t p, plans::GridPoint eye, Direction d, Nearest& nearest) const;
     void meet_cuts(std::uint32_t triangle, plans::GridPoint eye, Direction d, Nearest& nearest) const;
 

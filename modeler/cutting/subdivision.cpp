@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "base/check.h"
 
@@ -12,7 +13,8 @@ using plans::GridPoint;
 namespace {
 
 std::int64_t dot(GridPoint o, GridPoint a, GridPoint b) {
-    return (std::int64_t(a.x) - o.x) * (std::int64_t(b.x) - o.x) + (std::int64_t(a.y) - o.y) * (std::int64_t(b.y) - o.y);
+    return (std::int64_t(a.x) - o.x) * (std::int64_t(b.x) - o.x) +
+           (std::int64_t(a.y) - o.y) * (std::int64_t(b.y) - o.y);
 }
 
 /// Whether the direction from o to d lies strictly within the turn, counter-clockwise, from o -> a to o -> b.
@@ -66,20 +68,40 @@ std::uint32_t Subdivision::wedge(std::uint32_t p, GridPoint towards) const {
     return no_index;
 }
 
-std::uint32_t Subdivision::node_near(std::uint32_t t, GridPoint p) {
-    const Track& track = tracks_[t];
+/// Before which node of a track a point belongs.
+std::size_t Subdivision::place_on(const Track& track, GridPoint p) const {
     const GridPoint a = points_[track.nodes.front()], b = points_[track.nodes.back()];
     // Rounding keeps the order of points along a line, in each coordinate.
-    const auto is_before = [&](GridPoint s, GridPoint r) {
-        if (s.x != r.x) return (s.x < r.x) != (b.x < a.x);
-        return (s.y < r.y) != (b.y < a.y);
+    const auto is_before = [&](std::uint32_t node) {
+        const GridPoint s = points_[node];
+        if (s.x != p.x) return (s.x < p.x) != (b.x < a.x);
+        return (s.y < p.y) != (b.y < a.y);
     };
-    const auto at = std::partition_point(track.nodes.begin() + 1, track.nodes.end() - 1,
-                                         [&](std::uint32_t node) { return is_before(points_[node], p); });
-    if (distance(points_[*(at - 1)], p) < least_gap) return *(at - 1);
-    if (distance(points_[*at], p) < least_gap) return *at;
-    const std::size_t k = std::size_t(at - track.nodes.begin());
+    return std::size_t(std::partition_point(track.nodes.begin() + 1, track.nodes.end() - 1, is_before) -
+                       track.nodes.begin());
+}
 
+std::uint32_t Subdivision::node_near(std::uint32_t t, GridPoint eye, GridPoint p) const {
+    const Track& track = tracks_[t];
+    const std::size_t k = place_on(track, p);
+    const auto gap = [&](std::uint32_t node) {
+        if (dot(p, eye, points_[node]) <= 0) return distance(points_[node], p);
+        return std::abs(double(orientation(eye, p, points_[node]))) / distance(eye, p);
+    };
+    const double before = gap(track.nodes[k - 1]), after = gap(track.nodes[k]);
+    if (std::min(before, after) >= least_gap) return no_index;
+    return track.nodes[before <= after ? k - 1 : k];
+}
+
+bool Subdivision::touches_line(std::uint32_t p, std::uint32_t line) const {
+    for (std::uint32_t h = first_leaving_[p]; h != no_index; h = next_leaving_[h])
+        if (tracks_[track_[h]].line == line || tracks_[track_[previous_[h]]].line == line) return true;
+    return false;
+}
+
+std::uint32_t Subdivision::add_node(std::uint32_t t, GridPoint p) {
+    const Track& track = tracks_[t];
+    const std::size_t k = place_on(track, p);
     const std::uint32_t node = std::uint32_t(points_.size());
     points_.push_back(p);
     first_leaving_.push_back(no_index);
@@ -140,7 +162,16 @@ bool Subdivision::is_removable(std::uint32_t cut) const {
         while (next_[last] != g && next_[last] != h && is_straight(last, next_[last])) last = next_[last];
         return orientation(points_[from_[first]], points_[from_[out]], points_[to(last)]) >= 0;
     };
-    return is_fine(before_h, after_g) && is_fine(before_g, after_h);
+    if (!is_fine(before_h, after_g) || !is_fine(before_g, after_h)) return false;
+    // Together they are a disc only if the cut is all that they share.
+    std::unordered_set<std::uint32_t> corners;
+    for (std::uint32_t k = after_h; k != h; k = next_[k]) {
+        if (k == g) return false;
+        corners.insert(from_[k]);
+    }
+    for (std::uint32_t k = next_[after_g]; k != g; k = next_[k])
+        if (corners.count(from_[k])) return false;
+    return true;
 }
 
 void Subdivision::remove(std::uint32_t cut) {
@@ -195,6 +226,7 @@ Partition Subdivision::collect(std::span<const PolygonSide> sides) const {
         }
         result.first_side.push_back(std::uint32_t(result.sides.size()));
     }
+    drop_unused_points(given_point_count_, result);
     return result;
 }
 

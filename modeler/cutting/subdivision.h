@@ -13,9 +13,9 @@ namespace enfilade::modeler {
 /// A side of the polygon or a cut: a chain of half-edges from one end to the other. Cuts that end on a track put a node
 /// on it, rounded to the grid, so that the chain may leave the straight line by half a unit.
 struct Track {
-    std::uint32_t side = no_index;         ///< of the polygon; `no_index`: a cut
-    std::uint32_t line = 0;                ///< as in PolygonSide
-    std::vector<std::uint32_t> nodes;      ///< points from end to end
+    std::uint32_t side = no_index;          ///< of the polygon; `no_index`: a cut
+    std::uint32_t line = 0;                 ///< as in PolygonSide
+    std::vector<std::uint32_t> nodes;       ///< points from end to end
     std::vector<std::uint32_t> half_edges;  ///< [nodes - 1] from a node to the next; the twins run back
     bool removed = false;
 };
@@ -44,8 +44,13 @@ public:
     /// along an edge or out of the polygon.
     [[nodiscard]] std::uint32_t wedge(std::uint32_t p, plans::GridPoint towards) const;
 
-    /// The node of a track at a point near it: an existing one within `least_gap`, else a new one.
-    std::uint32_t node_near(std::uint32_t track, plans::GridPoint p);
+    /// The node of a track that a cut from `eye` to a point of the track would pass closer than `least_gap`; `no_index`
+    /// if there is none.
+    [[nodiscard]] std::uint32_t node_near(std::uint32_t track, plans::GridPoint eye, plans::GridPoint p) const;
+    /// A new node of a track. \pre node_near(track, eye, p) == no_index for any eye
+    std::uint32_t add_node(std::uint32_t track, plans::GridPoint p);
+    /// Whether an edge at this point lies on a line.
+    [[nodiscard]] bool touches_line(std::uint32_t p, std::uint32_t line) const;
 
     /// A cut between two points, which become neighbours: a new track. `no_index` where it would run along an edge.
     std::uint32_t connect(std::uint32_t a, std::uint32_t b, std::uint32_t line);
@@ -64,6 +69,7 @@ public:
     [[nodiscard]] Partition collect(std::span<const PolygonSide> sides) const;
 
 private:
+    [[nodiscard]] std::size_t place_on(const Track& track, plans::GridPoint p) const;
     std::uint32_t add_half_edge(std::uint32_t from, std::uint32_t track);
     void join(std::uint32_t in, std::uint32_t out) { next_[in] = out, previous_[out] = in; }
     void drop_node(std::uint32_t p);
