@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plans/utf8.h"
 #include "tools/report/cut_legend.h"
 #include "tools/report/html_text.h"
 #include "tools/report/scene_drawing.h"
@@ -43,6 +44,19 @@ Layout layout_of(const MmBox& box, std::span<const CutPanel> panels) {
     return layout;
 }
 
+/// `words` or as much of them as is about that wide, at 0.62 of the font's size a letter.
+std::string shortened(const std::string& words, double width, double size) {
+    const auto most = std::size_t(std::max(8.0, width / (0.62 * size)));
+    if (words.size() <= most) return words;
+    std::string text;
+    for (std::size_t k = 0; k < words.size() && text.size() + 3 <= most;) {
+        const std::size_t bytes = std::max<std::size_t>(1, plans::utf8_length(words, k));
+        text += words.substr(k, bytes);
+        k += bytes;
+    }
+    return text + "…";
+}
+
 std::string text_tag(const char* classes, double x, double y, const std::string& words) {
     return std::string("<text class=\"") + classes + "\" x=\"" + decimal(x, 1) + "\" y=\"" + decimal(y, 1) + "\">" +
            escaped(words) + "</text>\n";
@@ -56,7 +70,7 @@ std::string panel_tags(const CutPanel& panel, const ScenePlan& plan, const MmBox
     const std::string size = "width=\"" + decimal(layout.width, 1) + "\" height=\"" + decimal(layout.height, 1) + "\"";
     const double k = layout.pixels_per_mm;
     std::string text = "<g class=\"panel\" transform=\"translate(" + decimal(x, 1) + " " + decimal(y, 1) + ")\">\n";
-    text += text_tag("panel-title", 0, 14, panel.title);
+    text += text_tag("panel-title", 0, 14, shortened(panel.title, layout.width, 15));
     text += "<g transform=\"translate(0 " + decimal(panel_title, 1) + ")\">\n<clipPath id=\"" + id + "\"><rect " +
             size + "/></clipPath>\n<rect class=\"" + (plan.is_underground ? "ground" : "outdoors") + "\" " + size +
             "/>\n<g clip-path=\"url(#" + id + ")\">\n<g transform=\"translate(" + decimal(-double(box.low.x) * k, 3) +
@@ -64,7 +78,8 @@ std::string panel_tags(const CutPanel& panel, const ScenePlan& plan, const MmBox
     text += scene_drawing(*panel.scene, plan, panel.storey.index);
     text += "</g>\n</g>\n</g>\n";
     double line = panel_title + layout.height;
-    for (const std::string& words : panel.lines) text += text_tag("line", 0, line += line_height, words);
+    for (const std::string& words : panel.lines)
+        text += text_tag("line", 0, line += line_height, shortened(words, layout.width, 13));
     return text + "</g>\n";
 }
 
@@ -88,7 +103,8 @@ std::string cut_sheet(const std::string& title, std::span<const CutPanel> panels
                       "\" viewBox=\"0 0 " + width + " " + height + "\" role=\"img\">\n<title>" + escaped(title) +
                       "</title>\n<style>\n" + scene_style(layout.pixels_per_mm) +
                       "</style>\n<rect class=\"paper\" width=\"" + width + "\" height=\"" + height + "\"/>\n";
-    svg += text_tag("sheet-title", layout.left(), gap + 8, title);
+    svg +=
+        text_tag("sheet-title", layout.left(), gap + 8, shortened(title, layout.sheet_width() - 2 * layout.left(), 18));
     for (std::size_t k = 0; k < panels.size(); ++k) svg += panel_tags(panels[k], plans[k], box, layout, k);
     return svg + cut_legend(layout.left(), layout.sheet_height() - legend_height, layout.pixels_per_mm) + "</svg>\n";
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include "modeler/space_parts.h"
 #include "tools/console.h"
@@ -63,6 +65,28 @@ Mm place_of_name(const SpaceOutline& outline) {
     return {std::llround(x), std::llround(y)};
 }
 
+/// What names keep off where they can: the cuts of each space, in boxes no longer than a letter or two.
+std::map<accel::SpaceId, std::vector<MmBox>> cut_boxes(const accel::SceneView& scene, const CellPlan& cells) {
+    constexpr double step = 200;  // mm
+    std::map<accel::SpaceId, std::vector<MmBox>> boxes;
+    for (const CellSide& side : cells.sides) {
+        if (side.kind != SideKind::Cut) continue;
+        std::vector<MmBox>& of_space = boxes[scene.cells[side.front].space];
+        const double dx = double(side.to.x - side.from.x), dy = double(side.to.y - side.from.y);
+        const int parts = std::clamp(int(std::hypot(dx, dy) / step), 1, 500);
+        const auto at = [&](int k) {
+            return Mm{side.from.x + std::llround(dx * k / parts), side.from.y + std::llround(dy * k / parts)};
+        };
+        for (int k = 0; k < parts; ++k) {
+            MmBox& box = of_space.emplace_back();
+            box.add(at(k)), box.add(at(k + 1));
+            // A level cut has a box all the same.
+            box.add({box.low.x - 1, box.low.y - 1});
+        }
+    }
+    return boxes;
+}
+
 }  // namespace
 
 std::string scene_drawing(const accel::SceneView& scene, const ScenePlan& plan, std::uint32_t storey_index) {
@@ -72,6 +96,7 @@ std::string scene_drawing(const accel::SceneView& scene, const ScenePlan& plan, 
     const CellPaths outside = cell_paths(plan.outside), inside = cell_paths(plan.inside);
     if (const std::string cuts = cut_tags(outside); !cuts.empty()) text += "<g class=\"outside\">\n" + cuts + "</g>\n";
     NameLayer names;
+    std::map<accel::SpaceId, std::vector<MmBox>> cut_off = cut_boxes(scene, plan.inside);
     const std::vector<std::size_t> tint = tint_spaces(plan.spaces);
     for (std::size_t k = 0; k < plan.spaces.size(); ++k) {
         const SpaceOutline& outline = plan.spaces[k];
@@ -83,7 +108,8 @@ std::string scene_drawing(const accel::SceneView& scene, const ScenePlan& plan, 
                 path_of(outline.rings).text() + "\"><title>" + escaped(scene.string(space.name)) +
                 (outline.label == Label::Room ? ", " + measure : ", " + cells) + "</title></path>\n";
         if (outline.label == Label::Room && space.storey_index == storey_index && !outline.rings.empty())
-            names.add(outline.rings, place_of_name(outline), {std::string(scene.string(space.name)), measure, ""});
+            names.add(outline.rings, place_of_name(outline), {std::string(scene.string(space.name)), measure, ""},
+                      cut_off[outline.space]);
     }
     text +=
         path_tag("cell", inside.cells) + portal_tags(inside) + "<g class=\"inside\">\n" + cut_tags(inside) + "</g>\n";
