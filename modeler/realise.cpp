@@ -45,7 +45,7 @@ Building realise(Stack stack, const CutOptions& options, std::vector<RegionCut> 
 
     CutPieces pieces = join_cuts(stack, cuts);
     PlanGraph graph = plan_graph(stack, pieces, building.findings);
-    for (int pass = 0; !graph.tangled.empty() && pass < most_recuts; ++pass) {
+    for (int pass = 0; needs_recut(stack, pieces, graph, options.convex) && pass < most_recuts; ++pass) {
         pieces = cut_tangled(stack, pieces, graph, options.convex);
         graph = plan_graph(stack, pieces, building.findings);
     }

@@ -81,8 +81,11 @@ private:
 
 struct PlanGraph;
 
-/// Where rounding closed a strip, what is left around it may be no disc any more (`PlanGraph::tangled`): the pieces of
-/// `graph` with those cut once more, along diagonals.
+/// Whether rounding left pieces in knots (`PlanGraph::tangled`) or, where they were to be convex, dented.
+[[nodiscard]] bool needs_recut(const Stack& stack, const CutPieces& pieces, const PlanGraph& graph, bool convex);
+
+/// Where rounding closed a strip, what is left around it may be no disc any more, and where the cuts of another band
+/// end on a side, it may bend too much to be convex: the pieces of `graph` with those cut once more, along diagonals.
 [[nodiscard]] CutPieces cut_tangled(const Stack& stack, const CutPieces& pieces, const PlanGraph& graph, bool convex);
 
 }  // namespace enfilade::modeler

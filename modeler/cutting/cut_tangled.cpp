@@ -25,6 +25,13 @@ public:
         pieces_.first_side.push_back(std::uint32_t(pieces_.sides.size()));
     }
 
+    void add_convex(std::uint32_t region, std::uint32_t disc, std::span<const plans::GridPoint> points,
+                    std::span<const PolygonSide> ring) {
+        Partition cells = delaunay_partition(points, ring, PartitionGoal::Convex);
+        name_cuts(cells);
+        for (std::uint32_t c = 0; c < cells.piece_count(); ++c) add(region, disc, cells.piece(c));
+    }
+
     /// Tags and lines for the cuts of a partition along diagonals.
     void name_cuts(Partition& partition) {
         std::map<std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>> cuts;  // ends -> segment, line
@@ -46,7 +53,23 @@ private:
     CutPieces& pieces_;
 };
 
+bool is_dented(const Stack& stack, const CutPieces& pieces, const PlanGraph& graph, std::uint32_t p) {
+    if (!stack.regions[pieces.region[graph.source[p]]].carries_light) return false;
+    std::vector<RingCorner> corners;
+    for (std::uint32_t k = graph.first_ring[p]; k < graph.first_ring[p + 1]; ++k)
+        corners.push_back({graph.graph.vertices[plans::origin(graph.graph, graph.ring[k])], graph.ring_line[k]});
+    return reflex_corner(corners).has_value();
+}
+
 }  // namespace
+
+bool needs_recut(const Stack& stack, const CutPieces& pieces, const PlanGraph& graph, bool convex) {
+    if (!graph.tangled.empty()) return true;
+    if (!convex) return false;
+    for (std::uint32_t p = 0; p < graph.piece_count(); ++p)
+        if (is_dented(stack, pieces, graph, p)) return true;
+    return false;
+}
 
 CutPieces cut_tangled(const Stack& stack, const CutPieces& pieces, const PlanGraph& graph, bool convex) {
     const std::vector<plans::GridPoint>& points = graph.graph.vertices;
@@ -64,7 +87,9 @@ CutPieces cut_tangled(const Stack& stack, const CutPieces& pieces, const PlanGra
         sides.clear();
         for (std::uint32_t k = graph.first_ring[p]; k < graph.first_ring[p + 1]; ++k)
             sides.push_back(side_of(graph.ring[k], graph.ring_line[k]));
-        list.add(pieces.region[graph.source[p]], pieces.disc[graph.source[p]], sides);
+        const std::uint32_t region = pieces.region[graph.source[p]], disc = pieces.disc[graph.source[p]];
+        if (convex && is_dented(stack, pieces, graph, p)) list.add_convex(region, disc, points, sides);
+        else list.add(region, disc, sides);
     }
     for (const TangledPiece& tangled : graph.tangled) {
         const std::uint32_t region = pieces.region[tangled.source], disc = pieces.disc[tangled.source];
@@ -77,9 +102,7 @@ CutPieces cut_tangled(const Stack& stack, const CutPieces& pieces, const PlanGra
                 list.add(region, disc, discs.piece(d));
                 continue;
             }
-            Partition cells = delaunay_partition(points, discs.piece(d), PartitionGoal::Convex);
-            list.name_cuts(cells);
-            for (std::uint32_t c = 0; c < cells.piece_count(); ++c) list.add(region, disc, cells.piece(c));
+            list.add_convex(region, disc, points, discs.piece(d));
         }
     }
     return again;
