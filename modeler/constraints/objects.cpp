@@ -265,7 +265,8 @@ private:
         const std::uint32_t own = building_.spaces[building_.volumes[v].space].room;
         const std::optional<std::set<std::uint32_t>> around = places_around(v, own);
         if (!around) return void(++report_.suppressed);
-        if (own != UINT32_MAX ? !around->contains(own) : around->size() != 1)
+        // Where it fills a part of its room that stairs cut off, it touches no place at all.
+        if (own != UINT32_MAX ? !around->empty() && !around->contains(own) : around->size() != 1)
             return blame(v, "does not lie inside one room", {around->begin(), around->end()});
         const std::uint32_t k = building_.spaces[own != UINT32_MAX ? own : *around->begin()].storey;
         if (k >= building_.storeys.size() || !subject_.spaces.storey(k)) return;

@@ -13,6 +13,7 @@
 #include "modeler/convexify.h"
 #include "modeler/editing/edit.h"
 #include "modeler/editing/footprint.h"
+#include "modeler/editing/place_boxes.h"
 #include "modeler/export_scene.h"
 #include "modeler/realise.h"
 #include "plans/generate.h"
@@ -66,12 +67,13 @@ Box any_box(const Building& building, std::uint32_t room, const std::string& id)
 std::vector<Box> any_boxes(const Building& building, int count) {
     const std::vector<std::uint32_t> all = testing::rooms_of(building);
     const std::vector<std::uint32_t> rooms = {*rc::gen::elementOf(all), *rc::gen::elementOf(all)};
+    const auto bare = std::make_shared<const Stack>(building.stack);
     std::vector<Box> boxes;
     for (int k = 0; k < count; ++k) {
         std::vector<Box> more = boxes;
         more.push_back(any_box(building, *rc::gen::elementOf(rooms), "box " + std::to_string(9 - k)));
         try {
-            (void)insert_boxes(building, more);
+            (void)place_boxes(bare, more);
             boxes = std::move(more);
         } catch (const InputError& error) {
             RC_ASSERT(error.code == "P504" || error.code == "P505" || error.code == "P506");
