@@ -4,6 +4,7 @@
 #include "modeler/cutting/diagonal_partition.h"
 #include "modeler/cutting/sah_partition.h"
 #include "tools/bench_convexify.h"
+#include "tools/contest.h"
 #include "tools/convexifiers.h"
 #include "tools/room_shapes.h"
 
@@ -39,11 +40,10 @@ void measure(Bench& bench, RoomShape shape, const NamedConvexifier& method) {
         const ShapedRoom room = shaped_room(shape, size);
         const double corners = double(room.points.size());
         std::uint32_t pieces = 0;
-        double seconds = seconds_of([&] { pieces = cut(room, method.convexifier); });
+        const std::array<std::function<void()>, 1> work = {[&] { pieces = cut(room, method.convexifier); }};
+        double seconds = busy_seconds_of(work[0]);
+        if (seconds < 0.5) seconds = Contest(seconds < 0.02 && !bench.quick() ? 9 : 3, work).median_of(0);
         before = seconds;
-        if (seconds < 0.5)
-            seconds = median_seconds(seconds < 0.02 && !bench.quick() ? 9 : 3,
-                                     [&] { pieces = cut(room, method.convexifier); });
         points.push_back({corners, seconds});
         const std::string scene = std::string(name_of(shape)) + ", " + grouped(room.points.size()) + " corners";
         BenchRow row{.row = std::string(method.name) + ": one room", .scene = scene, .value = seconds, .unit = "s"};

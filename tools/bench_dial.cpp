@@ -14,6 +14,9 @@
 #include "plans/generate.h"
 #include "render/oracle.h"
 #include "tools/bench.h"
+#include "tools/contest.h"
+#include "tools/convexifiers.h"
+#include "tools/cut_building.h"
 #include "tools/random_rays.h"
 
 namespace enfilade::tools {
@@ -28,12 +31,14 @@ struct Built {
     double moved_mm = 0;  ///< largest distance that a wall was moved by rounding
 };
 
-Built build_scene(const plans::Plan& plan, const plans::ArrangeOptions& arrange) {
+Built build_scene(const plans::Plan& plan, const plans::ArrangeOptions& arrange,
+                  modeler::Convexifier convexifier = modeler::Convexifier::Sah) {
     Built built;
     built.seconds = median_seconds(3, [&] {
         modeler::BuildOptions options;
         options.arrange = arrange;
-        const modeler::Building building = modeler::convexify(modeler::build(plan, options));
+        const modeler::Building building =
+            modeler::convexify(modeler::build(plan, options), {.convexifier = convexifier});
         built.moved_mm = building.max_deviation * building.frame.unit * 1000;
         built.scene = modeler::export_scene(building, modeler::check(building), "{}");
     });
@@ -109,6 +114,34 @@ void add_rows(Bench& bench, const std::string& setting, const std::string& scene
     add("other surface", error.wrong_per_million, "per million");
     add("distance, median", error.median_mm, "mm");
     add("distance, 99 of 100", error.worst_mm, "mm");
+}
+
+/// The ways to cut rooms. Errors are against Hertel and Mehlhorn's: rays see the same, however rooms are cut.
+void dial_convexify(Bench& bench, const plans::Plan& plan, const std::string& name, std::size_t rays) {
+    std::vector<Built> built;
+    std::vector<const accel::SceneView*> scenes;
+    std::size_t reference = 0;
+    for (const NamedConvexifier& method : named_convexifiers) {
+        if (method.convexifier == modeler::Convexifier::HertelMehlhorn) reference = built.size();
+        built.push_back(build_scene(plan, {}, method.convexifier));
+    }
+    for (const Built& one : built) scenes.push_back(&one.scene.view());
+    SameRays same(scenes, bench.quick() ? 50'000 : 1'000'000, 0, 1);
+    const Contest contest(bench.quick() ? 3 : 9, same.random());
+    for (std::size_t k = 0; k < built.size(); ++k) {
+        const std::string setting = std::string("convexify ") + named_convexifiers[k].name;
+        add_rows(bench, setting, name, built[k], error_between(*scenes[k], *scenes[reference], rays));
+        BenchRow speed{.row = setting + ": speed",
+                       .scene = name,
+                       .value = double(same.ray_count()) / contest.median_of(k) / 1e6,
+                       .unit = "Mrays/s"};
+        if (k != reference) {
+            speed.reference = named_convexifiers[reference].name;
+            speed.reference_value = double(same.ray_count()) / contest.median_of(reference) / 1e6;
+            speed.ratio = contest.faster(k, reference);
+        }
+        bench.add(std::move(speed));
+    }
 }
 
 void dial_snap(Bench& bench, const plans::Plan& plan, const std::string& name, std::size_t rays) {
@@ -187,6 +220,7 @@ void bench_dial(Bench& bench) {
     const std::size_t rays = bench.quick() ? 20'000 : 500'000;
     dial_snap(bench, plan, name, rays);
     dial_sagitta(bench, plan, name, rays);
+    dial_convexify(bench, plan, name, rays);
     dial_precision(bench, plan, name, bench.quick() ? 20'000 : 200'000);
 }
 

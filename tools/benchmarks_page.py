@@ -10,6 +10,7 @@ TITLES = {
     "gmap": "The topological kernel",
     "scene": "Loading a scene",
     "cells": "Tracing through cells",
+    "convexify": "Cutting rooms into cells",
     "dial": "What each option costs",
 }
 NOTES = {
@@ -17,6 +18,13 @@ NOTES = {
              "between reading the plan and writing the file, the check included.",
     "scene": "Opening maps the file and validates every index in it. The reference reads all its bytes and checks nothing.",
     "cells": "The same rays, in the same run, in turn. A ratio over 1: faster than the reference.",
+    "convexify": "![Every plan under every way to cut](convexify.svg)\n\nThe ways to cut rooms (`--convexify`), on generated plans "
+                 "and on those of other people that the developers have at hand. Cells, sections, faces and bytes count "
+                 "openings and the exterior. *SAH* is the sum that `sah` minimises: the visits' worth that a ray pays "
+                 "(modeler/cutting/README.md). *Pieces* are those of rooms without holes over the sum of ceil(r/2)+1 (r = corners "
+                 "that turn right, between different lines): nothing can do with fewer than 1. *Cut* is the time to cut all "
+                 "regions, on one core. Rays are the same for all three, in turn; in brackets how many times faster than "
+                 "hertel-mehlhorn.",
     "dial": "![Error over time of each option](dial.svg)\n\nAn error is measured on the same rays against the finest value of "
             "the option, or against the oracle where the row says so.",
 }
@@ -40,6 +48,55 @@ def table(rows):
     return "\n".join(lines)
 
 
+WAYS = ["sah", "hertel-mehlhorn", "diagonals"]
+PLAN_COLUMNS = {"cells": "cells", "cells a room": "a room", "sections a cell": "sections a cell", "faces a section":
+                "faces a section", "SAH sum": "SAH", "virtual portals": "portals, m2", "bytes a cell": "B a cell",
+                "cut": "cut, ms", "pieces of rooms without holes, over enough": "pieces",
+                "random rays": "random, Mrays/s", "primary rays and Lambert": "primary, Mrays/s"}
+ROOM_COLUMNS = {"one room": "s", "one room, a corner": "us a corner", "one room, pieces": "pieces"}
+
+
+def is_met(rows):
+    return "**not met**" if any(row["met"] is False for row in rows) else "met" if any(row["goal"] for row in rows) else ""
+
+
+def cell(row):
+    if row is None:
+        return ""
+    ratio = f" ({number(row['ratio'])})" if row["ratio"] is not None else ""
+    return number(row["value"]) + ratio + (" **!**" if row["met"] is False else "")
+
+
+def pivot(rows, columns):
+    """A line for each scene and way to cut, a column for each quantity."""
+    found = {}
+    for row in rows:
+        way, _, quantity = row["row"].partition(": ")
+        found.setdefault((row["scene"], way), {})[quantity] = row
+    used = {name: title for name, title in columns.items() if any(name in line for line in found.values())}
+    lines = ["| on | way | " + " | ".join(used.values()) + " | goals |", "|---|---|" + "--:|" * len(used) + "---|"]
+    for (scene, way), line in found.items():
+        lines.append(f"| {scene} | {way} | " + " | ".join(cell(line.get(name)) for name in used) + f" | {is_met(line.values())} |")
+    return "\n".join(lines)
+
+
+def convexify_tables(rows):
+    """Plans by way to cut, rooms by way to cut, and what is left as in other benchmarks."""
+    by_plan, by_room, left = [], [], []
+    compared = {row["scene"] for row in rows if row["row"].endswith(": sections a cell")}
+    for row in rows:
+        way, _, quantity = row["row"].partition(": ")
+        if way in WAYS and row["scene"] in compared:
+            by_plan.append(row)
+        elif way in WAYS and quantity in ROOM_COLUMNS:
+            by_room.append(row)
+        else:
+            left.append(row)
+    shown = [row for row in by_plan if row["row"].partition(": ")[2] in PLAN_COLUMNS]
+    left += [row for row in by_plan if row not in shown and row["met"] is False]
+    return "\n\n".join([pivot(shown, PLAN_COLUMNS), pivot(by_room, ROOM_COLUMNS), table(left)])
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         data = json.load(file)
@@ -54,7 +111,8 @@ def main():
         print(f"\n## {TITLES.get(bench, bench)} (`enfilade bench {bench}`)\n")
         if bench in NOTES:
             print(NOTES[bench] + "\n")
-        print(table(list(rows)))
+        rows = list(rows)
+        print(convexify_tables(rows) if bench == "convexify" else table(rows))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 #pragma once
-// Several competitors in turn, so that a slow moment of the machine meets all of them.
+// Several competitors in turn, so that a slow moment of the machine meets all of them. Time is that of the calling
+// thread on its core: what other programs take meanwhile does not count.
+
+#include <time.h>
 
 #include <functional>
 #include <span>
@@ -8,6 +11,19 @@
 #include "tools/bench.h"
 
 namespace enfilade::tools {
+
+/// Seconds that one call keeps the calling thread's core busy.
+template <class F>
+[[nodiscard]] double busy_seconds_of(F&& work) {
+    const auto now = [] {
+        timespec t;
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+        return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+    };
+    const double start = now();
+    std::forward<F>(work)();
+    return now() - start;
+}
 
 /// Seconds of each competitor in each round.
 class Contest {
@@ -18,7 +34,7 @@ public:
         for (int round = 0; round < rounds; ++round)
             for (std::size_t i = 0; i < competitors.size(); ++i) {
                 const std::size_t k = round % 2 == 0 ? i : competitors.size() - 1 - i;
-                seconds_[k].push_back(seconds_of(competitors[k]));
+                seconds_[k].push_back(busy_seconds_of(competitors[k]));
             }
     }
 

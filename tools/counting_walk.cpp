@@ -25,6 +25,7 @@ WalkCount counted_walk(const accel::SceneView& scene, const RayQuery& query) {
         leave_cell(scene, ray, cell, entry, entry_next, true, NoLimit{}, events, end);
         ++count.visits;
         count.sections += visited.section_count;
+        count.eights += (visited.section_count + 7u) / 8;
         count.faces +=
             first_face(scene, visited.first_section + visited.section_count) - first_face(scene, visited.first_section);
         if (end.exit == Exit::Side) count.tested += end.face - first_face(scene, end.section) + 1;
@@ -36,6 +37,21 @@ WalkCount counted_walk(const accel::SceneView& scene, const RayQuery& query) {
         cell = static_cast<std::uint32_t>(end.target.neighbour());
     }
     return count;
+}
+
+std::size_t narrow_walks(const accel::SceneView& scene, std::span<const RayQuery> rays) {
+    static_assert(!ENFILADE_WIDE_SIDES, "this file is compiled for every machine");
+    std::size_t hits = 0;
+    NoEvents events;
+    for (const RayQuery& query : rays) {
+        Ray<float> ray;
+        if (!make_ray(vec_cast<float>(query.origin), vec_cast<float>(query.direction), ray)) continue;
+        Vec3f throughput = {1, 1, 1};
+        const WalkEnd<float> end =
+            walk(scene, ray, static_cast<std::uint32_t>(query.cell), NoLimit{}, throughput, events);
+        hits += end.status == WalkStatus::Hit && parameter(scene, ray, end) >= 0 ? 1 : 0;
+    }
+    return hits;
 }
 
 }  // namespace enfilade::tools

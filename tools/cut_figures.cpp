@@ -1,7 +1,9 @@
 #include "tools/cut_figures.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <string_view>
 
 #include "accel/scene_file.h"
 #include "accel/stats.h"
@@ -16,6 +18,11 @@ struct Sizes {
     double height = 0;     ///< m
     [[nodiscard]] double surface() const { return perimeter * height + 2 * floor; }
 };
+
+/// What a walk reads, and what finds the cell in which it begins; the others are read once, where it ends.
+constexpr std::array<std::string_view, 11> walk_arrays = {
+    "cells",   "cell_portals", "section_x",     "section_y",    "section_tails", "side_faces", "side_face_portals",
+    "portals", "tints",        "locator_nodes", "locator_cells"};
 
 std::uint32_t section_after(const accel::Cell& cell, std::uint32_t s) {
     return s + 1 == cell.first_section + cell.section_count ? cell.first_section : s + 1;
@@ -94,11 +101,14 @@ CutFigures cut_figures(const modeler::Building& building, const accel::Scene& sc
     figures.cells = stats.cells;
     figures.sections = stats.sections;
     figures.side_faces = stats.side_faces;
-    figures.walk_bytes = stats.cell_bytes + stats.locator_bytes;
-    constexpr std::uint64_t step = accel::scene_file_alignment;
-    for (const accel::SceneArray& array : scene.arrays())
-        if (array.group == accel::Group::Trace)
-            figures.trace_bytes += (array.bytes.size() + 2 * step - 1) / step * step;  // zeros follow each array
+    for (const accel::SceneArray& array : scene.arrays()) {
+        if (array.group != accel::Group::Trace) continue;
+        constexpr std::uint64_t step = accel::scene_file_alignment;
+        const std::uint64_t bytes = (array.bytes.size() + 2 * step - 1) / step * step;  // zeros follow each array
+        figures.trace_bytes += bytes;
+        if (std::find(walk_arrays.begin(), walk_arrays.end(), array.name) != walk_arrays.end())
+            figures.walk_bytes += bytes;
+    }
     for (const accel::Cell& cell : view.cells) add_cell(building, view, cell, figures);
     return figures;
 }

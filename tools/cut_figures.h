@@ -19,13 +19,14 @@ struct CutFigures {
     double parent_surface = 0;      ///< m2 of the volumes that the cells are cut from
     double section_surface = 0;     ///< m2 times sections: a cell's surface by the number of its sections
     double face_surface = 0;        ///< m2 times side faces
-    std::uint64_t trace_bytes = 0;  ///< of the scene's trace group, padding included
-    std::uint64_t walk_bytes = 0;   ///< of what a walk and the locator read
+    std::uint64_t walk_bytes = 0;   ///< of what a walk and the locator read, padding included
+    std::uint64_t trace_bytes = 0;  ///< of all that tracers read: names, colours and the walls' outlines, too
 
     [[nodiscard]] double cells_a_room() const { return rooms == 0 ? 0 : double(cells) / double(rooms); }
     [[nodiscard]] double sections_a_cell() const { return cells == 0 ? 0 : double(sections) / double(cells); }
     [[nodiscard]] double faces_a_section() const { return sections == 0 ? 0 : double(side_faces) / double(sections); }
-    [[nodiscard]] double bytes_a_cell() const { return cells == 0 ? 0 : double(trace_bytes) / double(cells); }
+    [[nodiscard]] double bytes_a_cell() const { return cells == 0 ? 0 : double(walk_bytes) / double(cells); }
+    [[nodiscard]] double all_bytes_a_cell() const { return cells == 0 ? 0 : double(trace_bytes) / double(cells); }
     /// Surface of the cells by what each costs a ray, over the surface of what they are cut from (cut_cost.h).
     [[nodiscard]] double sah_sum(const modeler::CutCost& cost) const {
         const double sum = cost.visit * cell_surface + cost.section * section_surface + cost.face * face_surface;

@@ -11,6 +11,7 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
+NAMED_ROW = re.compile(r"(convexify) (\S+): (.+)")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
 CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
@@ -25,10 +26,28 @@ def curves(rows):
     return {option: {name: sorted(points) for name, points in named.items()} for option, named in found.items()}
 
 
+def bars(rows):
+    """quantity -> value of the option -> measured, for the option --convexify: no error, agreement is exact"""
+    found = {}
+    for row in rows:
+        match = NAMED_ROW.fullmatch(row["row"]) if row["bench"] == "dial" else None
+        if match:
+            found.setdefault(match[3], {})[match[2]] = row["value"]
+    return found
+
+
+def draw_bars(panel, named, label, scale=1):
+    panel.bar([name.replace("-", "-\n") for name in named], [value * scale for value in named.values()], width=0.6)
+    panel.set(ylabel=label, ylim=(0, None))
+    panel.grid(True, axis="y", alpha=0.3)
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
-        options = curves(json.load(file)["rows"])
-    figure, axes = pyplot.subplots(3, len(options), figsize=(4.6 * len(options), 8), layout="constrained", squeeze=False)
+        rows = json.load(file)["rows"]
+    options, ways = curves(rows), bars(rows)
+    columns = len(options) + bool(ways)
+    figure, axes = pyplot.subplots(3, columns, figsize=(4.6 * columns, 8), layout="constrained", squeeze=False)
     for (error, time, memory), (option, named) in zip(axes.T, options.items()):
         for name, legend in CURVES:
             points = [(x, y) for x, y in named[name] if y > 1e-6]
@@ -42,6 +61,12 @@ def main():
         memory.set(xlabel=TITLES[option], ylabel="scene (MB)", ylim=(0, None))
         for panel in (error, time, memory):
             panel.grid(True, which="both", alpha=0.3)
+    if ways:
+        speed, time, memory = axes[:, -1]
+        draw_bars(speed, ways["speed"], "random rays (Mrays/s)")
+        speed.set(title="how rooms are cut")
+        draw_bars(time, ways["time"], "plan to scene (ms)", 1000)
+        draw_bars(memory, ways["memory"], "scene (MB)")
     figure.savefig(sys.argv[2], metadata={"Date": None})
 
 

@@ -30,7 +30,7 @@ TEST(BenchRow, NaNMeetsNoGoal) {
 
 TEST(Bench, WritesEveryFieldOfARow) {
     const Console console(true, false);
-    Bench bench(console, true);
+    Bench bench(console, true, "no/folder");
     bench.begin("cells", "");
     bench.add({.row = "primary rays",
                .scene = "office",
