@@ -34,12 +34,11 @@ const char* name_of(Convexifier convexifier) {
     return "diagonals";
 }
 
-/// Errors of the model itself: those of the plan's stages (P...) are about the plan, and so are stairs that it draws
-/// where nothing is above them (S4).
+/// Errors of the model's shape and topology: others are about the plan.
 std::string model_errors(const Building& building) {
     std::string text;
     for (const Finding& finding : check(building).findings)
-        if (finding.severity == Severity::Error && finding.code[0] != 'P' && finding.code != "S4")
+        if (finding.severity == Severity::Error && (finding.code[0] == 'G' || finding.code[0] == 'T'))
             text += finding.code + ": " + finding.sentence + "\n";
     return text;
 }
