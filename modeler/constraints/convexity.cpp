@@ -80,6 +80,9 @@ void check_shapes(const Building& building, Blame& blame, CheckReport& report) {
             const GridPoint p = ring[*corner].point;
             report.findings.back().point = {building.frame.world_x(p.x), building.frame.world_y(p.y),
                                             building.frame.world_z(volume.z_low)};
+        } else if (!is_convex(ring)) {
+            blame_volume(building, v, "A piece of " + title(building.spaces[volume.space]) + " is not convex.", blame,
+                         report);
         } else if (const double distance = stray(ring); distance > most_stray) {
             char text[32];
             std::snprintf(text, sizeof text, "%.2f", distance);

@@ -170,8 +170,8 @@ bool CutChooser::prolongs(const Corner& corner, const Candidate& candidate) cons
     const std::int64_t bend = cross(along, d);
     if (bend != 0) return false;
     // Where it meets another side of its line, both have to run alike.
-    return along.x == 0 || along.y == 0 || candidate.hit.at != Hit::At::Point ||
-           !subdivision_.touches_line(candidate.hit.id, candidate.line);
+    return candidate.hit.at != Hit::At::Point ||
+           subdivision_.meets_line_straight(corner.point, candidate.hit.id, candidate.line);
 }
 
 /// A direction to another point of the track that a cut hits, a unit on, where rounding left the cut on the wrong side

@@ -58,7 +58,7 @@ bool is_dented(const Stack& stack, const CutPieces& pieces, const PlanGraph& gra
     std::vector<RingCorner> corners;
     for (std::uint32_t k = graph.first_ring[p]; k < graph.first_ring[p + 1]; ++k)
         corners.push_back({graph.graph.vertices[plans::origin(graph.graph, graph.ring[k])], graph.ring_line[k]});
-    return reflex_corner(corners).has_value();
+    return !is_convex(corners);
 }
 
 }  // namespace

@@ -88,7 +88,11 @@ void drop_unused_points(std::uint32_t given_point_count, Partition& partition);
 /// by the side that leaves where it ends. Empty for any other polygon.
 [[nodiscard]] std::vector<std::uint32_t> simple_ring(std::span<const PolygonSide> sides);
 
-/// `reflex_corner` of the sides taken in this order is absent.
+/// Whether a ring has no reflex corner (`reflex_corner`), and none that short sides in a row hide: no corner lies
+/// deeper within the hull than rounded lines bring it there.
+[[nodiscard]] bool is_convex(std::span<const RingCorner> ring);
+
+/// The same of the sides taken in this order.
 [[nodiscard]] bool is_convex(std::span<const plans::GridPoint> points, std::span<const PolygonSide> sides,
                              std::span<const std::uint32_t> ring);
 

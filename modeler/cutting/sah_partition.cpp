@@ -52,7 +52,7 @@ void remove_needless(Subdivision& subdivision) {
 bool is_convex_ring(std::span<const GridPoint> points, std::span<const PolygonSide> ring) {
     std::vector<RingCorner> corners;
     for (const PolygonSide& side : ring) corners.push_back({points[side.from], side.line});
-    return !reflex_corner(corners);
+    return is_convex(corners);
 }
 
 std::vector<GridPoint> all_points(std::span<const GridPoint> points, const Partition& partition) {

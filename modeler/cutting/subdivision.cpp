@@ -93,10 +93,13 @@ std::uint32_t Subdivision::node_near(std::uint32_t t, GridPoint eye, GridPoint p
     return track.nodes[before <= after ? k - 1 : k];
 }
 
-bool Subdivision::touches_line(std::uint32_t p, std::uint32_t line) const {
+bool Subdivision::meets_line_straight(std::uint32_t from, std::uint32_t p, std::uint32_t line) const {
+    const auto is_off = [&](std::uint32_t h, std::uint32_t other) {
+        return tracks_[track_[h]].line == line && orientation(points_[from], points_[p], points_[other]) != 0;
+    };
     for (std::uint32_t h = first_leaving_[p]; h != no_index; h = next_leaving_[h])
-        if (tracks_[track_[h]].line == line || tracks_[track_[previous_[h]]].line == line) return true;
-    return false;
+        if (is_off(h, to(h)) || is_off(previous_[h], from_[previous_[h]])) return false;
+    return true;
 }
 
 std::uint32_t Subdivision::add_node(std::uint32_t t, GridPoint p) {

@@ -49,8 +49,8 @@ public:
     [[nodiscard]] std::uint32_t node_near(std::uint32_t track, plans::GridPoint eye, plans::GridPoint p) const;
     /// A new node of a track. \pre node_near(track, eye, p) == no_index for any eye
     std::uint32_t add_node(std::uint32_t track, plans::GridPoint p);
-    /// Whether an edge at this point lies on a line.
-    [[nodiscard]] bool touches_line(std::uint32_t p, std::uint32_t line) const;
+    /// Whether all edges of a line at `p` run exactly on from where `from` lies.
+    [[nodiscard]] bool meets_line_straight(std::uint32_t from, std::uint32_t p, std::uint32_t line) const;
 
     /// A cut between two points, which become neighbours: a new track. `no_index` where it would run along an edge.
     std::uint32_t connect(std::uint32_t a, std::uint32_t b, std::uint32_t line);
