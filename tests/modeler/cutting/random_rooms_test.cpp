@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -90,19 +90,18 @@ TEST(KeptRooms, TheOneAskedForIsCutExactly) {
 
 class LargeRooms : public ::testing::TestWithParam<testing::LargeRoom> {};
 
-/// Ten thousand corners in a time that a user waits for; the bound leaves room for sanitizers and busy machines, the
-/// time itself is printed (2 s are promised).
+/// Ten thousand corners in a time that a user waits for: processor time, with room for sanitizers; the time itself is
+/// printed.
 TEST_P(LargeRooms, AreCutExactlyAndSoon) {
     const Room room = testing::large_room(GetParam(), 10000, 1);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const Partition partition = sah_partition(room.points, room.sides, PartitionGoal::Convex, {});
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const testing::PartitionVerdict verdict =
         testing::judge_partition(room.points, room.sides, partition, {PartitionGoal::Convex, true});
     EXPECT_EQ(verdict.text(), "");
-    EXPECT_LT(seconds.count(), 40);
-    std::cout << room.sides.size() << " sides, " << partition.piece_count() << " pieces in " << seconds.count()
-              << " s\n";
+    EXPECT_LT(seconds, 20);
+    std::cout << room.sides.size() << " sides, " << partition.piece_count() << " pieces in " << seconds << " s\n";
 }
 
 std::string name_of_kind(const ::testing::TestParamInfo<testing::LargeRoom>& kind) {
