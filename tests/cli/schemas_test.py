@@ -63,6 +63,9 @@ class Schemas(unittest.TestCase):
         broken = copy.deepcopy(info)
         del broken["rooms"][0]["area_m2"]
         self.assertFalse(validator("info").is_valid(broken))
+        broken = copy.deepcopy(info)
+        broken["rooms"][0]["cut_area_m2"] = -1
+        self.assertFalse(validator("info").is_valid(broken))
 
     def test_bench(self):
         run("bench", "gmap", "--quick", "--json", self.folder / "rows.json")
