@@ -3,13 +3,13 @@
 #include "tools/bench_convexify.h"
 
 #include <cmath>
-#include <map>
 
 #include "base/error.h"
 #include "modeler/build.h"
 #include "plans/generate.h"
 #include "tools/contest.h"
 #include "tools/convexifiers.h"
+#include "tools/counting_walk.h"
 #include "tools/cut_building.h"
 #include "tools/real_plans.h"
 
@@ -69,6 +69,8 @@ struct Comparison {
     std::array<double, method_count> primary_rate = {};
     std::array<double, method_count> primary_faster = {};
     std::array<SameRays::Agreement, method_count> agreement = {};
+    std::array<double, method_count> cells_a_ray = {};
+    double wholes_a_ray = 0;  ///< cells a ray if nothing were cut
     std::size_t rays = 0;
     std::size_t pixels = 0;
 };
@@ -104,6 +106,11 @@ void time_rays(const Effort& effort, Comparison& result) {
         result.primary_rate[k] = double(rays.pixel_count()) / primary.median_of(k);
         result.primary_faster[k] = primary.faster(k, hertel_mehlhorn);
         result.agreement[k] = rays.agreement(k, hertel_mehlhorn);
+        WalkCount count;
+        for (const render::RayQuery& ray : rays.rays(k))
+            count = count + counted_walk(*scenes[k], ray, result.cuts[k].parents);
+        result.cells_a_ray[k] = double(count.visits) / double(result.rays);
+        if (k == hertel_mehlhorn) result.wholes_a_ray = double(count.wholes) / double(result.rays);
     }
 }
 
@@ -153,6 +160,8 @@ private:
     void add_rays() {
         rate("random rays", result_.random_rate, result_.random_faster);
         if (result_.pixels > 0) rate("primary rays and Lambert", result_.primary_rate, result_.primary_faster);
+        value("cells a ray", result_.cells_a_ray[method_], "cells");
+        if (method_ == hertel_mehlhorn) value("cells a ray, if nothing were cut", result_.wholes_a_ray, "cells");
         const SameRays::Agreement& agreement = result_.agreement[method_];
         value("leaks", double(agreement.leaks), "of " + grouped(result_.rays), value_at_most(0));
         if (method_ != hertel_mehlhorn)
@@ -184,19 +193,19 @@ private:
 
 constexpr const char* heading =
     "                                             cells  a room  sect  faces    SAH  portals  B/cell   cut ms  pieces"
-    "  random  ratio  primary  ratio";
+    "  a ray  random  ratio  primary  ratio";
 
 /// The console's line of a method on a plan.
 std::string line_of(const Input& input, const Comparison& result, std::size_t k) {
     const CutFigures& figures = result.cuts[k].figures;
     char text[256];
     std::snprintf(text, sizeof text,
-                  "%-26.26s %-15s %7llu %7.2f %5.2f %6.2f %6.2f %8.0f %7.0f %8.2f %7.3f %7.2f %6.2f %8.2f %6.2f",
+                  "%-26.26s %-15s %7llu %7.2f %5.2f %6.2f %6.2f %8.0f %7.0f %8.2f %7.3f %6.2f %7.2f %6.2f %8.2f %6.2f",
                   input.name.c_str(), named_convexifiers[k].name, static_cast<unsigned long long>(figures.cells),
                   figures.cells_a_room(), figures.sections_a_cell(), figures.faces_a_section(), figures.sah_sum({}),
                   figures.portal_area, figures.bytes_a_cell(), result.cut_seconds[k] * 1e3,
-                  result.cuts[k].rooms.ratio(), result.random_rate[k] / 1e6, result.random_faster[k],
-                  result.primary_rate[k] / 1e6, result.primary_faster[k]);
+                  result.cuts[k].rooms.ratio(), result.cells_a_ray[k], result.random_rate[k] / 1e6,
+                  result.random_faster[k], result.primary_rate[k] / 1e6, result.primary_faster[k]);
     return text;
 }
 

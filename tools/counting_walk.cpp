@@ -12,7 +12,7 @@ std::uint32_t first_face(const accel::SceneView& scene, std::uint32_t section) {
 }
 }  // namespace
 
-WalkCount counted_walk(const accel::SceneView& scene, const RayQuery& query) {
+WalkCount counted_walk(const accel::SceneView& scene, const RayQuery& query, std::span<const std::uint32_t> parents) {
     WalkCount count;
     Ray<float> ray;
     if (!make_ray(vec_cast<float>(query.origin), vec_cast<float>(query.direction), ray)) return count;
@@ -31,10 +31,13 @@ WalkCount counted_walk(const accel::SceneView& scene, const RayQuery& query) {
         if (end.exit == Exit::Side) count.tested += end.face - first_face(scene, end.section) + 1;
         else if (end.exit == Exit::Ceiling && end.section != no_section)
             count.tested += first_face(scene, end.section + 1) - first_face(scene, end.section);
+        if (count.visits == 1) count.wholes = 1;
         if (!end.target.is_portal()) return count;
+        const auto next = static_cast<std::uint32_t>(end.target.neighbour());
+        if (parents.empty() || parents[cell] != parents[next]) ++count.wholes;
         entry = end.exit == Exit::Side ? end.section : no_section;
         entry_next = end.next_section;
-        cell = static_cast<std::uint32_t>(end.target.neighbour());
+        cell = next;
     }
     return count;
 }

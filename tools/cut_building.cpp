@@ -12,6 +12,7 @@ CutBuilding cut_building(const modeler::Building& whole, const modeler::Convexif
     const modeler::Building building = modeler::convexify(whole, options);
     cut.scene = modeler::export_scene(building, {}, "{}");
     cut.figures = cut_figures(building, cut.scene);
+    for (const accel::Cell& cell : cut.scene.view().cells) cut.parents.push_back(building.volumes[cell.volume].parent);
     const std::vector<modeler::RegionCut> cuts =
         modeler::cut_regions(whole.stack, {true, options.convexifier, options.cost}, accel::SerialExecutor());
     cut.rooms = room_pieces(whole.stack, cuts);

@@ -20,7 +20,8 @@ namespace enfilade::tools {
 struct CutBuilding {
     accel::Scene scene;
     CutFigures figures;
-    RoomPieces rooms;  ///< of those without holes
+    std::vector<std::uint32_t> parents;  ///< [cell] the volume that it is cut from
+    RoomPieces rooms;                    ///< of those without holes
     std::uint64_t moved = 0;
     std::uint64_t fallen_back = 0;
 };

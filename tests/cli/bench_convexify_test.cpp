@@ -44,8 +44,10 @@ TEST(CountingWalk, VisitsTheCellsThatTheTracerVisits) {
     render::RayStats stats;
     render::trace_rays(cut.scene.view(), rays, hits, render::Precision::Float, &stats);
     WalkCount count;
-    for (const render::RayQuery& ray : rays) count = count + counted_walk(cut.scene.view(), ray);
+    for (const render::RayQuery& ray : rays) count = count + counted_walk(cut.scene.view(), ray, cut.parents);
     EXPECT_EQ(count.visits, stats.cells);
+    EXPECT_LT(count.wholes, count.visits);
+    EXPECT_GE(count.wholes, rays.size());
     EXPECT_GE(count.sections, 3 * count.visits);
     EXPECT_GE(count.faces, count.sections);
     EXPECT_LE(count.eights, count.sections);
