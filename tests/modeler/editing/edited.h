@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,19 +70,23 @@ inline __int128 doubled_volume(const modeler::Building& building, std::uint32_t 
     return doubled_volume(building, [&](std::uint32_t s) { return s == space; });
 }
 
-/// Corner of a dart, its volume's space and label: maps that agree in them are one model.
+/// Corner of a dart, its volume's space and label: maps that agree in them are one model. Reckoned once.
 inline gmap::DartLabel dart_labels(const modeler::Building& building) {
-    return [&building](gmap::DartId dart) {
-        const auto& ids = building.map.arrays().cell_id;
-        const auto d = std::size_t(index(dart));
+    const auto& ids = building.map.arrays().cell_id;
+    std::vector<std::uint64_t> spaces;
+    for (const modeler::Space& space : building.spaces) spaces.push_back(std::hash<std::string>{}(space.id));
+    const auto labels = std::make_shared<std::vector<std::uint64_t>>(ids[3].size());
+    for (std::size_t d = 0; d < labels->size(); ++d) {
+        if (ids[3][d] >= building.volumes.size()) continue;  // a gap
         const modeler::Volume& volume = building.volumes[ids[3][d]];
-        std::uint64_t hash = std::hash<std::string>{}(building.spaces[volume.space].id);
         const std::array<std::int32_t, 3> at = building.vertices[ids[0][d]];
+        std::uint64_t hash = spaces[volume.space];
         for (const std::uint64_t word : {std::uint64_t(volume.label), std::uint64_t(std::uint32_t(at[0])),
                                          std::uint64_t(std::uint32_t(at[1])), std::uint64_t(std::uint32_t(at[2]))})
             hash = (hash ^ word) * 0x9e3779b97f4a7c15u + (hash >> 31);
-        return hash;
-    };
+        (*labels)[d] = hash;
+    }
+    return [labels](gmap::DartId dart) { return (*labels)[std::size_t(index(dart))]; };
 }
 
 /// Empty where the two are one model: the maps isomorphic with the same corners, spaces and labels, the same counts.
