@@ -8,11 +8,11 @@
 #include "accel/assemble.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "modeler/cutting/polygon.h"
 #include "modeler/face_label.h"
 #include "modeler/materials.h"
 #include "modeler/model_group.h"
 #include "modeler/outline.h"
-#include "modeler/cutting/polygon.h"
 
 namespace enfilade::modeler {
 namespace {

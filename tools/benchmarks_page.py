@@ -51,7 +51,8 @@ def table(rows):
 WAYS = ["sah", "hertel-mehlhorn", "diagonals"]
 PLAN_COLUMNS = {"cells": "cells", "cells a room": "a room", "sections a cell": "sections a cell", "faces a section":
                 "faces a section", "SAH sum": "SAH", "virtual portals": "portals, m2", "bytes a cell": "B a cell",
-                "cut": "cut, ms", "pieces of rooms without holes, over enough": "pieces",
+                "cut": "cut, ms", "pieces of rooms without holes, over ceil(r/2)+1": "pieces",
+                "pieces of rooms without holes, over the bound": "over bound",
                 "cells a ray": "cells a ray", "random rays": "random, Mrays/s", "primary rays and Lambert": "primary, Mrays/s"}
 ROOM_COLUMNS = {"one room": "s", "one room, a corner": "us a corner", "one room, pieces": "pieces"}
 

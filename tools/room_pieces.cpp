@@ -1,5 +1,8 @@
 #include "tools/room_pieces.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -34,23 +37,40 @@ std::vector<PolygonSide> boundary_of(const modeler::Stack& stack, const modeler:
 
 }  // namespace
 
-std::uint32_t reflex_count(std::span<const RingCorner> ring) {
+ReflexCorners reflex_corners(std::span<const RingCorner> ring) {
     const std::size_t n = ring.size();
     std::vector<std::size_t> ends;  // of runs along one line
     for (std::size_t k = 0; k < n; ++k) {
         const RingCorner &before = ring[(k + n - 1) % n], &at = ring[k], &after = ring[(k + 1) % n];
         if (!modeler::goes_straight(before.point, at.point, after.point, before.line, at.line)) ends.push_back(k);
     }
-    std::uint32_t count = 0;
-    for (std::size_t e = 0; e < ends.size() && ends.size() >= 3; ++e) {
+    if (ends.size() < 3) return {};
+    const std::size_t m = ends.size();
+    std::vector<double> turns(m, 0);  // by how much a corner turns right; 0: it does not
+    ReflexCorners found;
+    for (std::size_t e = 0; e < m; ++e) {
         const std::size_t k = ends[e];
-        const RingCorner &before = ring[ends[(e + ends.size() - 1) % ends.size()]],
-                         &after = ring[ends[(e + 1) % ends.size()]];
-        if (orientation(before.point, ring[k].point, after.point) < 0 &&
-            orientation(ring[(k + n - 1) % n].point, ring[k].point, ring[(k + 1) % n].point) < 0)
-            ++count;
+        const plans::GridPoint a = ring[ends[(e + m - 1) % m]].point, b = ring[k].point,
+                               c = ring[ends[(e + 1) % m]].point;
+        if (!modeler::turns_right(a, ring[(k + n - 1) % n].point, b, ring[(k + 1) % n].point, c)) continue;
+        const double x = double(b.x) - a.x, y = double(b.y) - a.y, u = double(c.x) - b.x, v = double(c.y) - b.y;
+        turns[e] = std::atan2(u * y - v * x, x * u + y * v);
+        ++found.count;
     }
-    return count;
+    // Chains begin anywhere: slide over the ring twice.
+    double sum = 0;
+    for (std::size_t first = 0, last = 0; last < 2 * m; ++last) {
+        if (turns[last % m] <= 0) {
+            first = last + 1;
+            sum = 0;
+            continue;
+        }
+        sum += turns[last % m];
+        while (sum >= std::numbers::pi && first < last) sum -= turns[first++ % m];
+        if (sum < std::numbers::pi)
+            found.longest = std::max(found.longest, std::uint32_t(std::min(last + 1 - first, m)));
+    }
+    return found;
 }
 
 RoomPieces room_pieces(const modeler::Stack& stack, std::span<const modeler::RegionCut> cuts) {
@@ -63,9 +83,10 @@ RoomPieces room_pieces(const modeler::Stack& stack, std::span<const modeler::Reg
         if (order.empty()) continue;  // has holes
         std::vector<RingCorner> ring;
         for (const std::uint32_t s : order) ring.push_back({stack.points[sides[s].from], sides[s].line});
-        const std::uint32_t reflex = reflex_count(ring);
+        const auto [reflex, longest] = reflex_corners(ring);
         ++sum.rooms;
         sum.reflex += reflex;
+        sum.least += reflex + 1 - std::min(reflex / 2, reflex - longest);
         sum.enough += reflex == 0 ? 1 : (reflex + 1) / 2 + 1;
         sum.pieces += cuts[r].first_side.size() - 1;
     }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "modeler/constraints/constraints.h"
-#include "modeler/map_geometry.h"
 #include "modeler/cutting/polygon.h"
+#include "modeler/map_geometry.h"
 #include "modeler/place.h"
 
 namespace enfilade::modeler {

@@ -17,8 +17,8 @@ enum class Convexifier : std::uint8_t {
 /// defaults are measured (README.md of this folder, "The objective").
 struct CutCost {
     double visit = 1;
-    double section = 0.01;
-    double face = 0.002;
+    double section = 0.002;
+    double face = 0;
 };
 
 struct CutOptions {

@@ -4,8 +4,8 @@
 #include <unordered_map>
 
 #include "base/error.h"
-#include "modeler/outline.h"
 #include "modeler/cutting/polygon.h"
+#include "modeler/outline.h"
 
 namespace enfilade::modeler {
 

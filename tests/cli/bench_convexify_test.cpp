@@ -70,15 +70,25 @@ modeler::RingCorner corner(std::int32_t x, std::int32_t y, std::uint32_t line) {
 TEST(RoomPieces, CountsCornersThatTurnRightBetweenLines) {
     const std::vector<modeler::RingCorner> square = {corner(0, 0, 0), corner(9, 0, 1), corner(9, 9, 2),
                                                      corner(0, 9, 3)};
-    EXPECT_EQ(reflex_count(square), 0u);
+    EXPECT_EQ(reflex_corners(square).count, 0u);
     const std::vector<modeler::RingCorner> cross = {
         corner(3, 0, 0), corner(6, 0, 1), corner(6, 3, 2), corner(9, 3, 3), corner(9, 6, 4),  corner(6, 6, 5),
         corner(6, 9, 6), corner(3, 9, 7), corner(3, 6, 8), corner(0, 6, 9), corner(0, 3, 10), corner(3, 3, 11)};
-    EXPECT_EQ(reflex_count(cross), 4u);
+    EXPECT_EQ(reflex_corners(cross).count, 4u);
+    EXPECT_EQ(reflex_corners(cross).longest, 1u);
     // The lower side bends by a rounding, and is one line.
     const std::vector<modeler::RingCorner> bent = {corner(0, 0, 0), corner(50, 1, 0), corner(99, 0, 1),
                                                    corner(99, 99, 2), corner(0, 99, 3)};
-    EXPECT_EQ(reflex_count(bent), 0u);
+    EXPECT_EQ(reflex_corners(bent).count, 0u);
+}
+
+TEST(RoomPieces, KnowsTheChainOfACurvedWall) {
+    // The lower wall bulges into the room: five corners that turn right one after the other.
+    std::vector<modeler::RingCorner> room = {corner(0, 0, 0),   corner(10, 40, 1), corner(30, 70, 2), corner(50, 80, 3),
+                                             corner(70, 70, 4), corner(90, 40, 5), corner(100, 0, 6)};
+    room.insert(room.end(), {corner(100, 200, 7), corner(0, 200, 8)});
+    EXPECT_EQ(reflex_corners(room).count, 5u);
+    EXPECT_EQ(reflex_corners(room).longest, 5u);
 }
 
 TEST(RoomPieces, AreNeverFewerThanCornersNeed) {

@@ -37,7 +37,8 @@ double stray(std::span<const RingCorner> ring) {
     const std::size_t n = ring.size();
     const auto at = [&](std::size_t k) -> const RingCorner& { return ring[k % n]; };
     const auto is_straight = [&](std::size_t k) {
-        return modeler::goes_straight(at(k + n - 1).point, at(k).point, at(k + 1).point, at(k + n - 1).line, at(k).line);
+        return modeler::goes_straight(at(k + n - 1).point, at(k).point, at(k + 1).point, at(k + n - 1).line,
+                                      at(k).line);
     };
     std::size_t start = 0;
     while (start < n && is_straight(start)) ++start;
