@@ -56,7 +56,7 @@ struct Effort {
 
 Effort effort_for(const Bench& bench, const Input& input) {
     if (bench.quick()) return {20'000, 4, 128, 3};
-    return input.generated ? Effort{400'000, 8, 1024, 7} : Effort{200'000, 8, 512, 7};
+    return input.generated ? Effort{400'000, 32, 512, 7} : Effort{200'000, 32, 256, 7};
 }
 
 /// What the methods made of one plan.
