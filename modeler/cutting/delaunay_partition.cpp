@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_set>
 
+#include "base/disjoint_sets.h"
 #include "modeler/cutting/triangulation.h"
 
 namespace enfilade::modeler {
@@ -35,14 +35,13 @@ public:
             };
             return key(g) < key(h);
         });
-        piece_.resize(from_.size() / 3);
-        std::iota(piece_.begin(), piece_.end(), 0u);
+        pieces_.reset(from_.size() / 3);
         if (goal == PartitionGoal::Disc) {
-            corners_.resize(piece_.size());
+            corners_.resize(pieces_.size());
             for (std::uint32_t h = 0; h < from_.size(); ++h) corners_[h / 3].insert(from_[h]);
         }
         for (const std::uint32_t h : diagonals) {
-            const std::uint32_t p = find(h / 3), q = find(twin_[h] / 3);
+            const std::uint32_t p = pieces_.find(h / 3), q = pieces_.find(twin_[h] / 3);
             if (p == q) continue;
             if (goal == PartitionGoal::Disc ? !stays_disc(p, q) : !stays_convex(h)) continue;
             remove(h, p, q, goal);
@@ -84,22 +83,17 @@ private:
         return side_[h] == no_index ? first_cut_line + std::min(h, twin_[h]) : sides_[side_[h]].line;
     }
 
-    std::uint32_t find(std::uint32_t p) {
-        while (piece_[p] != p) p = piece_[p] = piece_[piece_[p]];
-        return p;
-    }
-
     /// Whether side `out` goes straight on where side `in` ends.
     [[nodiscard]] bool one_line(std::uint32_t in, std::uint32_t out) const {
         return goes_straight(points_[from_[in]], points_[from_[out]], points_[to(out)], line(in), line(out));
     }
     /// The first and the last side of the straight run that a side is part of.
     [[nodiscard]] std::uint32_t run_first(std::uint32_t h) const {
-        while (one_line(prev_[h], h)) h = prev_[h];
+        for (const std::uint32_t start = h; one_line(prev_[h], h) && prev_[h] != start;) h = prev_[h];
         return h;
     }
     [[nodiscard]] std::uint32_t run_last(std::uint32_t h) const {
-        while (one_line(h, next_[h])) h = next_[h];
+        for (const std::uint32_t start = h; one_line(h, next_[h]) && next_[h] != start;) h = next_[h];
         return h;
     }
     [[nodiscard]] bool turns_left(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -133,12 +127,12 @@ private:
         join(before_h, after_t);
         join(before_t, after_h);
         next_[h] = next_[t] = no_index;
-        if (goal == PartitionGoal::Disc) {
-            if (corners_[p].size() < corners_[q].size()) std::swap(p, q);
-            corners_[p].insert(corners_[q].begin(), corners_[q].end());
-            corners_[q].clear();
-        }
-        piece_[q] = p;
+        pieces_.join(p, q);
+        if (goal != PartitionGoal::Disc) return;
+        const std::uint32_t root = pieces_.find(p), other = root == p ? q : p;
+        if (corners_[root].size() < corners_[other].size()) corners_[root].swap(corners_[other]);
+        corners_[root].insert(corners_[other].begin(), corners_[other].end());
+        corners_[other].clear();
     }
 
     std::span<const GridPoint> points_;
@@ -146,7 +140,7 @@ private:
     Triangulation triangles_;
     const std::vector<std::uint32_t>&from_ = triangles_.from, &twin_ = triangles_.twin, &side_ = triangles_.side;
     std::vector<std::uint32_t> next_, prev_;                  ///< [3 * triangles]
-    std::vector<std::uint32_t> piece_;                        ///< [triangles] union-find
+    DisjointSets pieces_;                                     ///< of triangles
     std::vector<std::unordered_set<std::uint32_t>> corners_;  ///< [triangles] points of a piece, for the disc goal
 };
 
