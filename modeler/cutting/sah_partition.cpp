@@ -14,8 +14,8 @@ namespace {
 
 using plans::GridPoint;
 
-/// Lengths of portal that cost a ray as much as the sections that a cut adds: two, one of them a cell's whole
-/// surface away; and one more where it ends in the middle of a side.
+/// Lengths of portal that cost a ray as much as the sections that a cut adds to the cells beside it (taken as 16 m
+/// around, with five sections and eight faces), and as the one more where it ends in the middle of a side.
 CutPrice price_of(std::span<const GridPoint> points, std::span<const PolygonSide> sides, const SahOptions& options) {
     double perimeter = 0;
     for (const PolygonSide& side : sides)

@@ -145,14 +145,6 @@ bool Subdivision::is_straight(std::uint32_t in, std::uint32_t out) const {
     return goes_straight(points_[from_[in]], points_[from_[out]], points_[to(out)], line(in), line(out));
 }
 
-bool Subdivision::corner_is_fine(std::uint32_t in, std::uint32_t out) const {
-    if (is_straight(in, out)) return true;
-    std::uint32_t first = in, last = out;
-    while (previous_[first] != out && is_straight(previous_[first], first)) first = previous_[first];
-    while (next_[last] != in && is_straight(last, next_[last])) last = next_[last];
-    return orientation(points_[from_[first]], points_[from_[out]], points_[to(last)]) >= 0;
-}
-
 bool Subdivision::is_removable(std::uint32_t cut) const {
     const std::uint32_t h = tracks_[cut].half_edges[0], g = twin_[h];
     const std::uint32_t before_h = previous_[h], after_h = next_[h], before_g = previous_[g], after_g = next_[g];

@@ -33,11 +33,7 @@ public:
     [[nodiscard]] std::uint32_t from(std::uint32_t h) const { return from_[h]; }
     [[nodiscard]] std::uint32_t to(std::uint32_t h) const { return from_[next_[h]]; }
     [[nodiscard]] std::uint32_t next(std::uint32_t h) const { return next_[h]; }
-    [[nodiscard]] std::uint32_t previous(std::uint32_t h) const { return previous_[h]; }
-    [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return twin_[h]; }
-    [[nodiscard]] std::uint32_t track_of(std::uint32_t h) const { return track_[h]; }
     [[nodiscard]] std::uint32_t line(std::uint32_t h) const { return tracks_[track_[h]].line; }
-    [[nodiscard]] std::uint32_t half_edge_count() const { return std::uint32_t(from_.size()); }
     [[nodiscard]] bool is_removed(std::uint32_t h) const { return next_[h] == no_index; }
 
     /// The half-edge that leaves `p` into the wedge in which the direction to `towards` lies; `no_index` if it runs
@@ -57,9 +53,6 @@ public:
 
     /// Whether the ring goes straight on from a half-edge to the next one along it.
     [[nodiscard]] bool is_straight(std::uint32_t in, std::uint32_t out) const;
-    /// Whether a ring may turn from `in` to `out`: judged between the chords of straight runs.
-    [[nodiscard]] bool corner_is_fine(std::uint32_t in, std::uint32_t out) const;
-
     /// Takes a cut on which no other ends out again. \pre track(cut).nodes.size() == 2
     void remove(std::uint32_t cut);
     /// Whether the pieces beside such a cut are convex together at its ends.
