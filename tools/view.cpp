@@ -190,7 +190,8 @@ std::optional<Vec3d> parse_point(std::string_view text) {
     return Vec3d{values[0], values[1], values[2]};
 }
 
-/// Mean distance that is seen through a coarse picture of this camera.
+/// Geometric mean of the distances seen through a coarse picture of this camera: a column before the eye spoils it, as
+/// it would spoil the picture.
 double mean_depth(const accel::SceneView& scene, render::Camera camera, accel::CellId cell) {
     camera.width = 12;
     camera.height = 8;
@@ -203,8 +204,8 @@ double mean_depth(const accel::SceneView& scene, render::Camera camera, accel::C
     std::vector<render::RayHit> hits(rays.size());
     render::trace_rays(scene, rays, hits);
     double sum = 0;
-    for (const render::RayHit& hit : hits) sum += std::min(hit.distance, 30.0);
-    return sum / double(hits.size());
+    for (const render::RayHit& hit : hits) sum += std::log(std::clamp(hit.distance, 0.05, 30.0));
+    return std::exp(sum / double(hits.size()));
 }
 
 }  // namespace
