@@ -85,11 +85,8 @@ Vec3f lambert(const accel::SceneView& scene, const Look& look, std::uint32_t sou
     return cosine * colour_of(scene, face);
 }
 
-void store(Image& image, int x, int y, Vec3f colour) {
-    float* p = image.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + x);
-    p[0] = colour.x;
-    p[1] = colour.y;
-    p[2] = colour.z;
+void store(Framebuffer& image, int x, int y, Vec3f colour) {
+    image.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + x] = encoded(colour);
 }
 
 }  // namespace
@@ -162,7 +159,7 @@ void EmbreeReference::trace(std::span<const RayQuery> rays, std::span<RayHit> hi
     }
 }
 
-void EmbreeReference::trace_lambert(const CameraFrame& frame, Image& image) const {
+void EmbreeReference::trace_lambert(const CameraFrame& frame, Framebuffer& image) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -185,7 +182,7 @@ void EmbreeReference::trace_lambert(const CameraFrame& frame, Image& image) cons
     }
 }
 
-void EmbreeReference::trace_lambert_packets(const CameraFrame& frame, Image& image) const {
+void EmbreeReference::trace_lambert_packets(const CameraFrame& frame, Framebuffer& image) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;

@@ -6,7 +6,7 @@
 
 #include "accel/scene.h"
 #include "render/camera.h"
-#include "render/image.h"
+#include "render/framebuffer.h"
 #include "render/trace_rays.h"
 
 namespace enfilade::render {
@@ -26,11 +26,11 @@ public:
 
     /// The picture of `trace_lambert`: same rays, same shading, same framebuffer; one rtcIntersect1 a pixel on the
     /// calling thread. Glass is no obstacle to it and does not tint. \pre image has the camera's size
-    void trace_lambert(const CameraFrame& frame, Image& image) const;
+    void trace_lambert(const CameraFrame& frame, Framebuffer& image) const;
 
     /// The same with rtcIntersect16 and coherent packets of 4 x 4 pixels: Embree's best.
     /// \pre width and height are multiples of 4
-    void trace_lambert_packets(const CameraFrame& frame, Image& image) const;
+    void trace_lambert_packets(const CameraFrame& frame, Framebuffer& image) const;
 
 private:
     struct State;

@@ -27,6 +27,12 @@ bool cell_holds(const accel::SceneView& scene, std::uint32_t cell, const double*
 
 }  // namespace detail
 
+#if !defined(ENFILADE_HAS_LANES)
+namespace detail {
+const LaneKernels* lane_kernels() { return nullptr; }
+}  // namespace detail
+#endif
+
 void trace_rays(const accel::SceneView& scene, std::span<const RayQuery> rays, std::span<RayHit> hits,
                 Precision precision, RayStats* stats) {
     const detail::RayJob job = {&scene, rays.data(), hits.data(), std::min(rays.size(), hits.size()), stats};

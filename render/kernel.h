@@ -7,6 +7,7 @@
 #include "render/camera.h"
 #include "render/look.h"
 #include "render/trace_rays.h"
+#include "render/tracer.h"
 
 namespace enfilade::render::detail {
 
@@ -15,14 +16,17 @@ struct TileJob {
     const accel::SceneView* scene;
     const CameraFrame* camera;
     const Look* look;
-    float* rgb;  ///< of the whole image
-    int width;   ///< of the whole image
+    float* rgb;           ///< of the whole image, linear; or nullptr
+    std::uint32_t* rgba;  ///< of the whole framebuffer; where rgb is nullptr
+    int width;            ///< of the whole image
     int x0, y0, x1, y1;
     int samples_a_side;  ///< their square a pixel
     std::uint32_t start_cell;
     bool is_cut;  ///< dollhouse: rays start where they fall through the height cut_z
     float cut_z;
-    RayStats* stats;  ///< nullptr: not counted
+    float mirror_floor;   ///< share of light that floors reflect
+    PacketSizes packets;  ///< of the packet tracer
+    RayStats* stats;      ///< nullptr: not counted
 };
 
 struct RayJob {
@@ -33,14 +37,58 @@ struct RayJob {
     RayStats* stats;
 };
 
-/// The loops for one instruction set.
+/// Rays of a stream (ray_stream.h) by their columns; columns that are not wanted are nullptr.
+struct StreamJob {
+    const accel::SceneView* scene;
+    const float* origin[3];
+    const float* direction[3];
+    const accel::CellId* start;
+    const float* max_distance;  ///< nullptr: none
+    float* distance;
+    accel::SourceFaceId* source_face;
+    accel::CellId* cell;
+    WalkStatus* status;
+    const std::uint32_t* order;  ///< which rays, in this order; nullptr: 0, 1, 2...
+    std::uint64_t begin, end;    ///< places in that order
+    RayStats* stats;
+};
+
+/// Segments of a stream by their columns.
+struct SegmentJob {
+    const accel::SceneView* scene;
+    const float* from[3];
+    const float* to[3];
+    const accel::CellId* from_cell;
+    const accel::CellId* to_cell;  ///< nullptr: not known
+    std::uint8_t* visible;
+    const std::uint32_t* order;
+    std::uint64_t begin, end;
+    RayStats* stats;
+};
+
+/// The loops for one instruction set, one ray at a time.
 struct Kernels {
     const char* name;
-    void (*lambert_tile)(const TileJob&);  ///< one ray a pixel, lamp at the eye
-    void (*look_tile)(const TileJob&);     ///< sun, sky and darkened corners
+    void (*lambert_tile)(const TileJob&);  ///< one ray a pixel, lamp at the eye; to rgb or rgba
+    void (*look_tile)(const TileJob&);     ///< sun, sky and darkened corners; to rgb
     void (*rays_float)(const RayJob&);
     void (*rays_double)(const RayJob&);
+    void (*nearest)(const StreamJob&);
+    void (*visible)(const SegmentJob&);
 };
+
+/// The loops of many rays at once, for one instruction set (lanes.cpp).
+struct LaneKernels {
+    const char* name;
+    int lanes;                            ///< floats in a register
+    void (*simd_tile)(const TileJob&);    ///< Lambert; to rgb or rgba
+    void (*packet_tile)(const TileJob&);  ///< the same
+    void (*nearest)(const StreamJob&);
+    void (*visible)(const SegmentJob&);
+};
+
+/// Those for the machine that runs, of what Highway finds there; nullptr in a build without Highway.
+[[nodiscard]] const LaneKernels* lane_kernels();
 
 /// Those for the machine that runs.
 [[nodiscard]] const Kernels& kernels();

@@ -5,6 +5,6 @@
 
 namespace enfilade::render::detail {
 
-const Kernels fma_kernels = {"fma", lambert_tile, look_tile, rays_float, rays_double};
+const Kernels fma_kernels = {"fma", lambert_tile, look_tile, rays_float, rays_double, nearest, visible};
 
 }  // namespace enfilade::render::detail

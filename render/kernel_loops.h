@@ -1,6 +1,7 @@
 // The loops over rays. Included by one file for each instruction set, which names its namespace (isa.h); no include
 // guard is needed, and no standard container may appear here.
 
+#include "render/framebuffer.h"
 #include "render/kernel.h"
 #include "render/sampling.h"
 #include "render/shade.h"
@@ -11,7 +12,12 @@ inline namespace ENFILADE_ISA {
 namespace {
 
 void store(const detail::TileJob& job, int x, int y, Vec3f colour) {
-    float* p = job.rgb + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x);
+    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x;
+    if (job.rgb == nullptr) {
+        job.rgba[pixel] = encoded(colour);
+        return;
+    }
+    float* p = job.rgb + 3 * pixel;
     p[0] = colour.x;
     p[1] = colour.y;
     p[2] = colour.z;
@@ -186,6 +192,63 @@ void trace_each(const detail::RayJob& job, Events& events) {
     }
 }
 
+template <class Events>
+void trace_stream(const detail::StreamJob& job, Events& events) {
+    const accel::SceneView scene = *job.scene;
+    for (std::uint64_t k = job.begin; k < job.end; ++k) {
+        const std::uint64_t i = job.order != nullptr ? job.order[k] : k;
+        const float max_distance = job.max_distance != nullptr ? job.max_distance[i] : 3e38f;
+        WalkEnd<float> end = {};
+        end.status = WalkStatus::Refused;
+        end.cell = static_cast<std::uint32_t>(job.start[i]);
+        float distance = __builtin_nanf("");
+        Ray<float> ray;
+        if (make_ray(Vec3f{job.origin[0][i], job.origin[1][i], job.origin[2][i]},
+                     Vec3f{job.direction[0][i], job.direction[1][i], job.direction[2][i]}, ray) &&
+            max_distance == max_distance) {
+            const float metres = length(ray.direction);
+            Vec3f throughput = {1, 1, 1};
+            end = max_distance < 1e30f
+                      ? walk(scene, ray, end.cell, Limit<float>{max_distance / metres}, throughput, events)
+                      : walk(scene, ray, end.cell, NoLimit{}, throughput, events);
+            distance = end.status == WalkStatus::Reached ? max_distance : parameter(scene, ray, end) * metres;
+        }
+        if (job.distance != nullptr) job.distance[i] = distance;
+        if (job.source_face != nullptr)
+            job.source_face[i] =
+                static_cast<accel::SourceFaceId>(end.status == WalkStatus::Hit ? end.target.bits : ~0u);
+        if (job.cell != nullptr) job.cell[i] = static_cast<accel::CellId>(end.cell);
+        if (job.status != nullptr) job.status[i] = end.status;
+    }
+}
+
+/// Nothing but glass between two points: the walk from p reaches q's cell, or q itself.
+template <class Events>
+bool sees(const accel::SceneView& scene, Vec3f p, Vec3f q, std::uint32_t cell, Events& events) {
+    Ray<float> ray;
+    const Vec3f way = q - p;
+    if (!make_ray(p, way, ray)) return p == q;
+    const float longest = larger(larger(magnitude(way.x), magnitude(way.y)), magnitude(way.z));
+    const float scaled_longest =
+        larger(larger(magnitude(ray.direction.x), magnitude(ray.direction.y)), magnitude(ray.direction.z));
+    Vec3f throughput = {1, 1, 1};
+    return walk(scene, ray, cell, Limit<float>{longest / scaled_longest}, throughput, events).status ==
+           WalkStatus::Reached;
+}
+
+template <class Events>
+void trace_segments(const detail::SegmentJob& job, Events& events) {
+    const accel::SceneView scene = *job.scene;
+    for (std::uint64_t k = job.begin; k < job.end; ++k) {
+        const std::uint64_t i = job.order != nullptr ? job.order[k] : k;
+        const bool is_same = job.to_cell != nullptr && job.to_cell[i] == job.from_cell[i];
+        job.visible[i] =
+            static_cast<std::uint8_t>(is_same || sees(scene, {job.from[0][i], job.from[1][i], job.from[2][i]},
+                                                      {job.to[0][i], job.to[1][i], job.to[2][i]},
+                                                      static_cast<std::uint32_t>(job.from_cell[i]), events));
+    }
+}
+
 template <class Job, class Body>
 void counted(const Job& job, const Body& body) {
     NoEvents none;
@@ -207,6 +270,14 @@ void rays_float(const detail::RayJob& job) {
 
 void rays_double(const detail::RayJob& job) {
     counted(job, [&](auto& events) { trace_each<double>(job, events); });
+}
+
+void nearest(const detail::StreamJob& job) {
+    counted(job, [&](auto& events) { trace_stream(job, events); });
+}
+
+void visible(const detail::SegmentJob& job) {
+    counted(job, [&](auto& events) { trace_segments(job, events); });
 }
 
 }  // namespace

@@ -10,45 +10,63 @@
 namespace enfilade::render {
 namespace {
 
-constexpr int tile_side = 32;
+constexpr int tile_side = 64;
 
-template <class Body>
-void for_each_tile(const accel::Executor& executor, const Image& image, const Body& body) {
-    const int columns = (image.width + tile_side - 1) / tile_side;
-    const int rows = (image.height + tile_side - 1) / tile_side;
-    executor.run(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), [&](std::size_t tile) {
-        const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * tile_side;
-        const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * tile_side;
-        body(tile, x0, y0, std::min(x0 + tile_side, image.width), std::min(y0 + tile_side, image.height));
-    });
-}
-
-void run_tiles(const accel::Executor& executor, Image& image, const detail::TileJob& all,
+/// One job a tile of the picture, each with statistics of its own.
+template <class Picture>
+void run_tiles(const accel::Executor& executor, const Picture& picture, const detail::TileJob& all,
                void (*kernel)(const detail::TileJob&), RayStats* stats) {
-    const std::size_t tile_count = static_cast<std::size_t>((image.width + tile_side - 1) / tile_side) *
-                                   static_cast<std::size_t>((image.height + tile_side - 1) / tile_side);
+    const int side = std::max(tile_side, all.packets.largest);
+    const int columns = (picture.width + side - 1) / side;
+    const int rows = (picture.height + side - 1) / side;
+    const std::size_t tile_count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     std::vector<RayStats> of_tile(stats != nullptr ? tile_count : 0);
-    for_each_tile(executor, image, [&](std::size_t tile, int x0, int y0, int x1, int y1) {
+    executor.run(tile_count, [&](std::size_t tile) {
         detail::TileJob job = all;
-        job.x0 = x0;
-        job.y0 = y0;
-        job.x1 = x1;
-        job.y1 = y1;
+        job.x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * side;
+        job.y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * side;
+        job.x1 = std::min(job.x0 + side, picture.width);
+        job.y1 = std::min(job.y0 + side, picture.height);
         if (stats != nullptr) job.stats = &of_tile[tile];
         kernel(job);
     });
     for (const RayStats& one : of_tile) stats->add(one);
 }
 
+void refuse(const char* sentence) { throw InputError("R4", "", sentence); }
+
+bool is_power_of_two(int value) { return value > 0 && (value & (value - 1)) == 0; }
+
+void validate(const TraceOptions& options) {
+    const PacketSizes& sizes = options.packets;
+    if (!is_power_of_two(sizes.largest) || !is_power_of_two(sizes.smallest) || sizes.largest < 16 ||
+        sizes.largest > 256 || sizes.smallest < 4 || sizes.smallest > sizes.largest)
+        refuse("packets are powers of two: the largest 16 to 256 pixels a side, the smallest from 4 up to that");
+    if (!(options.mirror_floor >= 0 && options.mirror_floor <= 1))
+        refuse("a floor mirrors a share of the light between 0 and 1");
+    if (options.precision == Precision::Double && options.tracer != Tracer::Scalar)
+        refuse("only the scalar tracer walks in double precision");
+}
+
+/// Lambert's loop of a tracer; the scalar one where there are no lanes.
+auto lambert_kernel(Tracer tracer) {
+    const detail::LaneKernels* lanes = detail::lane_kernels();
+    if (tracer == Tracer::Scalar || lanes == nullptr) return detail::kernels().lambert_tile;
+    return tracer == Tracer::Simd ? lanes->simd_tile : lanes->packet_tile;
+}
+
 }  // namespace
 
 Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOptions& options) {
+    validate(options);
     const CameraFrame frame = make_frame(camera);
     detail::TileJob job = {};
     job.scene = &scene;
     job.camera = &frame;
     job.look = &options.look;
     job.samples_a_side = std::max(1, static_cast<int>(std::ceil(std::sqrt(std::max(1, options.samples_per_pixel)))));
+    job.mirror_floor = options.mirror_floor;
+    job.packets = options.packets;
     job.is_cut = options.cut_z.has_value();
     if (job.is_cut) {
         job.cut_z = static_cast<float>(*options.cut_z);
@@ -68,23 +86,25 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
         plain_look = lambert_look(options.look);
         job.look = &plain_look;
     }
-    run_tiles(executor, image, job, is_plain ? detail::kernels().lambert_tile : detail::kernels().look_tile,
+    run_tiles(executor, camera, job, is_plain ? lambert_kernel(options.tracer) : detail::kernels().look_tile,
               options.stats);
     return image;
 }
 
 void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, accel::CellId start,
-                   const accel::Executor& executor, Image& image) {
+                   const LambertOptions& options, const accel::Executor& executor, Framebuffer& framebuffer) {
     const Look look;
     detail::TileJob job = {};
     job.scene = &scene;
     job.camera = &frame;
     job.look = &look;
-    job.rgb = image.rgb.data();
-    job.width = image.width;
+    job.rgba = framebuffer.rgba.data();
+    job.width = framebuffer.width;
     job.samples_a_side = 1;
     job.start_cell = static_cast<std::uint32_t>(start);
-    run_tiles(executor, image, job, detail::kernels().lambert_tile, nullptr);
+    job.mirror_floor = options.mirror_floor;
+    job.packets = options.packets;
+    run_tiles(executor, framebuffer, job, lambert_kernel(options.tracer), options.stats);
 }
 
 }  // namespace enfilade::render

@@ -6,8 +6,11 @@
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
 #include "render/camera.h"
+#include "render/framebuffer.h"
 #include "render/image.h"
 #include "render/look.h"
+#include "render/trace_rays.h"
+#include "render/tracer.h"
 #include "render/walk_events.h"
 
 namespace enfilade::render {
@@ -18,21 +21,34 @@ enum class Shading {
 };
 
 struct TraceOptions {
+    Tracer tracer = Tracer::Packet;
+    Precision precision = Precision::Float;  ///< of the walk; Double is walked by Tracer::Scalar alone
+    PacketSizes packets;
     Shading shading = Shading::Look;
     int samples_per_pixel = 1;  ///< rounded up to a square number, evenly spread; 4 and more for pictures
     Look look;
+    float mirror_floor = 0;                     ///< share of their light that floors reflect as mirrors do, 0 to 1
     std::optional<double> cut_z;                ///< dollhouse: whatever lies above this height (metres) is not seen
     const accel::Executor* executor = nullptr;  ///< nullptr: all cores. The image does not depend on it.
     RayStats* stats = nullptr;                  ///< where given, what happened to the rays is added
 };
 
-/// Traces the picture that the camera sees, in float, one ray at a time.
-/// \throws InputError if the camera is none (R1), stands in a wall (R2), or below the cut (R3)
+/// Traces the picture that the camera sees.
+/// \throws InputError if the camera is none (R1), stands in a wall (R2), or below the cut (R3); if the options
+/// contradict each other or packets have no size (R4)
 [[nodiscard]] Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOptions& options = {});
 
-/// The same into an image that the caller keeps, for benchmarks: `Shading::Lambert`, no allocation, one sample.
-/// \pre image has the camera's size
+struct LambertOptions {
+    Tracer tracer = Tracer::Packet;
+    PacketSizes packets;
+    float mirror_floor = 0;
+    RayStats* stats = nullptr;
+};
+
+/// One frame after the other into a framebuffer that the caller keeps: `Shading::Lambert`, one sample, no allocation
+/// but for stats. What benchmarks measure.
+/// \pre framebuffer has the camera's size; the options are sound (R4)
 void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, accel::CellId start,
-                   const accel::Executor& executor, Image& image);
+                   const LambertOptions& options, const accel::Executor& executor, Framebuffer& framebuffer);
 
 }  // namespace enfilade::render

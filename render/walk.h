@@ -266,7 +266,7 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
     std::uint32_t entry = no_section, entry_next = no_section;
     const std::uint64_t turn_back = scene.cells.count + 16;
     for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
-        events.entered_cell();
+        events.entered_cell(scene.cells[cell].section_count);
         leave_cell(scene, ray, cell, entry, entry_next, steps > turn_back, stop, events, end);
         if (end.status == WalkStatus::Reached || !end.target.is_portal()) return end;
         if (end.target.is_glass()) {

@@ -18,7 +18,7 @@ enum class Exit : std::uint32_t { Side, Floor, Ceiling };
 
 /// What happened on the way. `NoEvents` costs nothing.
 struct NoEvents {
-    ENFILADE_HD void entered_cell() {}
+    ENFILADE_HD void entered_cell(std::uint32_t) {}
     ENFILADE_HD void several_exits() {}
     ENFILADE_HD void no_exit() {}
     ENFILADE_HD void leaked() {}
@@ -26,25 +26,40 @@ struct NoEvents {
     ENFILADE_HD void crossed(std::uint32_t) {}
 };
 
+/// What is counted of many rays. A packet's steps count once, whatever number of rays it stands for.
 struct RayStats {
-    std::uint64_t cells = 0;
-    std::uint64_t several = 0;  ///< sections accepted the ray at once: the farthest was taken
-    std::uint64_t none = 0;     ///< no section accepted it: the one that missed by least was taken
+    std::uint64_t rays = 0;        ///< walks begun: of pixels, reflections, shadows and corners
+    std::uint64_t cells = 0;       ///< cells entered, by rays and packets
+    std::uint64_t side_tests = 0;  ///< vertical lines tested, by rays and packets
+    std::uint64_t several = 0;     ///< recoveries: sections accepted the ray at once, the farthest was taken
+    std::uint64_t none = 0;        ///< recoveries: no section accepted it, the one that missed by least was taken
     std::uint64_t leaks = 0;
     std::uint64_t glass = 0;
+    std::uint64_t tiles = 0;   ///< packets begun
+    std::uint64_t splits = 0;  ///< packets whose corners left a cell by different faces
+    std::uint64_t filled = 0;  ///< pixels that whole packets filled
 
-    ENFILADE_HD void entered_cell() { ++cells; }
+    /// sections: of the cell
+    ENFILADE_HD void entered_cell(std::uint32_t sections) {
+        ++cells;
+        side_tests += sections;
+    }
     ENFILADE_HD void several_exits() { ++several; }
     ENFILADE_HD void no_exit() { ++none; }
     ENFILADE_HD void leaked() { ++leaks; }
     ENFILADE_HD void crossed_glass() { ++glass; }
     ENFILADE_HD void crossed(std::uint32_t) {}
     ENFILADE_HD void add(const RayStats& other) {
+        rays += other.rays;
         cells += other.cells;
+        side_tests += other.side_tests;
         several += other.several;
         none += other.none;
         leaks += other.leaks;
         glass += other.glass;
+        tiles += other.tiles;
+        splits += other.splits;
+        filled += other.filled;
     }
 };
 

@@ -35,9 +35,10 @@ void bench_pictures(Bench& bench, const accel::SceneView& scene, const std::stri
     const std::vector<PreparedView> views = prepared(scene, floor_views(scene, view_count, side));
     const render::EmbreeReference embree(scene);
     const accel::SerialExecutor one_thread;
-    render::Image image(side, side);
+    render::Framebuffer image(side, side);
     const auto cells = [&] {
-        for (const PreparedView& view : views) render::trace_lambert(scene, view.frame, view.start, one_thread, image);
+        for (const PreparedView& view : views)
+            render::trace_lambert(scene, view.frame, view.start, {.tracer = render::Tracer::Scalar}, one_thread, image);
     };
     const auto single = [&] {
         for (const PreparedView& view : views) embree.trace_lambert(view.frame, image);
@@ -66,7 +67,8 @@ void bench_pictures(Bench& bench, const accel::SceneView& scene, const std::stri
                .ratio = against_packets.b_over_a});
     const std::unique_ptr<accel::Executor> all = render::make_executor();
     const double seconds = median_seconds(runs, [&] {
-        for (const PreparedView& view : views) render::trace_lambert(scene, view.frame, view.start, *all, image);
+        for (const PreparedView& view : views)
+            render::trace_lambert(scene, view.frame, view.start, {.tracer = render::Tracer::Scalar}, *all, image);
     });
     bench.add({.row = "scalar walk, the same, all cores",
                .scene = name,

@@ -27,7 +27,7 @@ SameRays::SameRays(std::vector<const accel::SceneView*> scenes, std::size_t ray_
     : scenes_(std::move(scenes)),
       views_(scenes_.size()),
       pixels_a_view_(std::size_t(side) * std::size_t(side)),
-      image_(side, side) {
+      framebuffer_(side, side) {
     rays_ = rays_in_all(scenes_, even_rays(*scenes_.front(), ray_count, 17));
     hits_.resize(rays_.front().size());
     for (const render::Camera& camera : floor_views(*scenes_.front(), view_count, side)) {
@@ -54,7 +54,8 @@ std::vector<std::function<void()>> SameRays::primary() {
         competitors.emplace_back([this, k] {
             const accel::SerialExecutor one_thread;
             for (const PreparedView& view : views_[k])
-                render::trace_lambert(*scenes_[k], view.frame, view.start, one_thread, image_);
+                render::trace_lambert(*scenes_[k], view.frame, view.start, {.tracer = render::Tracer::Scalar},
+                                      one_thread, framebuffer_);
         });
     return competitors;
 }

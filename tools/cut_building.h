@@ -9,7 +9,7 @@
 #include "accel/scene.h"
 #include "modeler/convexify.h"
 #include "render/camera.h"
-#include "render/image.h"
+#include "render/framebuffer.h"
 #include "render/trace_rays.h"
 #include "tools/cut_figures.h"
 #include "tools/floor_views.h"
@@ -57,7 +57,7 @@ private:
     std::vector<std::vector<PreparedView>> views_;     ///< [scene]
     std::size_t pixels_a_view_ = 0;
     std::vector<render::RayHit> hits_;
-    render::Image image_;
+    render::Framebuffer framebuffer_;
 };
 
 }  // namespace enfilade::tools

@@ -1,0 +1,95 @@
+#include "render/ray_stream.h"
+
+#include <vector>
+
+#include "render/kernel.h"
+
+namespace enfilade::render {
+namespace {
+
+constexpr std::size_t chunk_rays = 1 << 13;
+
+/// Indices of the chunk's rays in ascending order of their cells, stable: a radix sort by its two halves would not pay
+/// for chunks of this size.
+void sort_by_cell(std::span<const accel::CellId> cells, std::size_t begin, std::size_t end,
+                  std::vector<std::uint32_t>& order) {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+        keys.push_back(std::uint64_t(static_cast<std::uint32_t>(cells[i])) << 32 | i);
+    std::sort(keys.begin(), keys.end());
+    order.clear();
+    for (const std::uint64_t key : keys) order.push_back(static_cast<std::uint32_t>(key));
+}
+
+/// Calls `kernel` for chunks of the job, each with its order and its statistics.
+template <class Job>
+void run_chunks(const Job& all, std::span<const accel::CellId> cells, const StreamOptions& options,
+                void (*kernel)(const Job&)) {
+    const std::size_t count = cells.size();
+    std::vector<RayStats> of_chunk(options.stats != nullptr ? (count + chunk_rays - 1) / chunk_rays : 0);
+    const accel::SerialExecutor serial;
+    const accel::Executor& executor = options.executor != nullptr ? *options.executor : serial;
+    accel::parallel_for(executor, count, chunk_rays, [&](std::size_t begin, std::size_t end) {
+        Job job = all;
+        std::vector<std::uint32_t> order;
+        if (options.order == StreamOrder::Any) {
+            sort_by_cell(cells, begin, end, order);
+            job.order = order.data();
+            end -= begin;
+        }
+        job.begin = options.order == StreamOrder::Any ? 0 : begin;
+        job.end = end;
+        if (options.stats != nullptr) job.stats = &of_chunk[begin / chunk_rays];
+        kernel(job);
+    });
+    for (const RayStats& one : of_chunk) options.stats->add(one);
+}
+
+template <class T>
+T* data_or_null(std::span<T> column) {
+    return column.empty() ? nullptr : column.data();
+}
+
+}  // namespace
+
+void nearest(const accel::SceneView& scene, const RayColumns& rays, const HitColumns& hits,
+             const StreamOptions& options) {
+    detail::StreamJob job = {};
+    job.scene = &scene;
+    job.origin[0] = rays.origin_x.data();
+    job.origin[1] = rays.origin_y.data();
+    job.origin[2] = rays.origin_z.data();
+    job.direction[0] = rays.direction_x.data();
+    job.direction[1] = rays.direction_y.data();
+    job.direction[2] = rays.direction_z.data();
+    job.start = rays.cell.data();
+    job.max_distance = data_or_null(rays.max_distance);
+    job.distance = data_or_null(hits.distance);
+    job.source_face = data_or_null(hits.source_face);
+    job.cell = data_or_null(hits.cell);
+    job.status = data_or_null(hits.status);
+    const detail::LaneKernels* lanes = detail::lane_kernels();
+    const bool is_scalar = options.tracer == Tracer::Scalar || lanes == nullptr;
+    run_chunks(job, rays.cell, options, is_scalar ? detail::kernels().nearest : lanes->nearest);
+}
+
+void visible(const accel::SceneView& scene, const SegmentColumns& segments, std::span<std::uint8_t> visible,
+             const StreamOptions& options) {
+    detail::SegmentJob job = {};
+    job.scene = &scene;
+    job.from[0] = segments.from_x.data();
+    job.from[1] = segments.from_y.data();
+    job.from[2] = segments.from_z.data();
+    job.to[0] = segments.to_x.data();
+    job.to[1] = segments.to_y.data();
+    job.to[2] = segments.to_z.data();
+    job.from_cell = segments.from_cell.data();
+    job.to_cell = data_or_null(segments.to_cell);
+    job.visible = visible.data();
+    const detail::LaneKernels* lanes = detail::lane_kernels();
+    const bool is_scalar = options.tracer == Tracer::Scalar || lanes == nullptr;
+    run_chunks(job, segments.from_cell, options, is_scalar ? detail::kernels().visible : lanes->visible);
+}
+
+}  // namespace enfilade::render
