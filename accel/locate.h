@@ -3,7 +3,9 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
+#include "accel/parallel_for.h"
 #include "accel/scene.h"
 
 namespace enfilade::accel {
@@ -13,6 +15,12 @@ namespace enfilade::accel {
 /// by which the walk breaks its ties, so exactly one cell holds each point. Exact for points on the grid (the products
 /// fit in a double's 53 bits). Cost: log n.
 [[nodiscard]] std::optional<CellId> locate(const SceneView& view, const std::array<double, 3>& point);
+
+/// The same for many points: cells[i] is that of points[i], `none<CellId>` where there is none. A point is looked for
+/// where the one before it was found, then where the last one in its neighbourhood was, and only then from the top.
+/// cells: [points.size()]. `executor` nullptr: the calling thread; results do not depend on it.
+void locate(const SceneView& view, std::span<const std::array<double, 3>> points, std::span<CellId> cells,
+            const Executor* executor = nullptr);
 
 /// Whether that one cell holds the point, by the same rule.
 [[nodiscard]] bool contains(const SceneView& view, CellId cell, const std::array<double, 3>& point);
