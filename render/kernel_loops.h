@@ -222,18 +222,28 @@ void trace_stream(const detail::StreamJob& job, Events& events) {
     }
 }
 
-/// Nothing but glass between two points: the walk from p reaches q's cell, or q itself.
+ENFILADE_HD bool is_place(Vec3f p) {
+    return magnitude(p.x) <= largest_place && magnitude(p.y) <= largest_place && magnitude(p.z) <= largest_place;
+}
+
+/// Whether nothing but glass lies between p (in `cell`) and q (in `to_cell`; no_cell: not known): the walk from p
+/// reaches q's cell, or q.
+///
+/// The ray's direction is q - p rounded once and scaled by a power of two, so that power is exactly the parameter of q,
+/// and a floor or ceiling at q's height has exactly q's parameter: what lies on a level is seen from its cell, in
+/// either direction. Where q lies on a wall and its cell is not known, rounding decides, as everywhere within
+/// `error_band`. Outside that band the answer is the same for q and p exchanged. Points that are none (NaN, infinite)
+/// see nothing, not even themselves.
 template <class Events>
-bool sees(const accel::SceneView& scene, Vec3f p, Vec3f q, std::uint32_t cell, Events& events) {
+bool sees(const accel::SceneView& scene, Vec3f p, Vec3f q, std::uint32_t cell, std::uint32_t to_cell, Events& events) {
+    if (!is_place(p) || !is_place(q)) return false;
+    if (cell == to_cell) return true;
     Ray<float> ray;
     const Vec3f way = q - p;
-    if (!make_ray(p, way, ray)) return p == q;
-    const float longest = larger(larger(magnitude(way.x), magnitude(way.y)), magnitude(way.z));
-    const float scaled_longest =
-        larger(larger(magnitude(ray.direction.x), magnitude(ray.direction.y)), magnitude(ray.direction.z));
+    if (!make_ray(p, way, ray)) return true;  // equal points
+    const float t = largest_part(way) / largest_part(ray.direction);
     Vec3f throughput = {1, 1, 1};
-    return walk(scene, ray, cell, Limit<float>{longest / scaled_longest}, throughput, events).status ==
-           WalkStatus::Reached;
+    return walk(scene, ray, cell, ToPoint<float>{t, to_cell}, throughput, events).status == WalkStatus::Reached;
 }
 
 template <class Events>
@@ -241,11 +251,10 @@ void trace_segments(const detail::SegmentJob& job, Events& events) {
     const accel::SceneView scene = *job.scene;
     for (std::uint64_t k = job.begin; k < job.end; ++k) {
         const std::uint64_t i = job.order != nullptr ? job.order[k] : k;
-        const bool is_same = job.to_cell != nullptr && job.to_cell[i] == job.from_cell[i];
-        job.visible[i] =
-            static_cast<std::uint8_t>(is_same || sees(scene, {job.from[0][i], job.from[1][i], job.from[2][i]},
-                                                      {job.to[0][i], job.to[1][i], job.to[2][i]},
-                                                      static_cast<std::uint32_t>(job.from_cell[i]), events));
+        const std::uint32_t to_cell = job.to_cell != nullptr ? static_cast<std::uint32_t>(job.to_cell[i]) : no_cell;
+        job.visible[i] = static_cast<std::uint8_t>(sees(scene, {job.from[0][i], job.from[1][i], job.from[2][i]},
+                                                        {job.to[0][i], job.to[1][i], job.to[2][i]},
+                                                        static_cast<std::uint32_t>(job.from_cell[i]), to_cell, events));
     }
 }
 

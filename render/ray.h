@@ -52,14 +52,22 @@ ENFILADE_HD Ray<T> make_ray_unchecked(Vec<T> origin, Vec<T> direction) {
     return {origin, direction, moment, zero_is_left ? T(-1) : T(1), zero_is_left ? ~0u : 0u};
 }
 
+/// No coordinate of a scene or a ray's origin lies beyond: metres.
+inline constexpr float largest_place = 1e12f;
+
+template <class T>
+ENFILADE_HD T largest_part(Vec<T> v) {
+    return larger(larger(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+}
+
 /// The ray from any finite, non-zero direction, denormal and huge ones included; what leans less than 2^-40 is
 /// vertical; false (and no ray) for others. The comparisons are written so that NaN fails them.
 template <class T>
 ENFILADE_HD bool make_ray(Vec<T> origin, Vec<T> direction, Ray<T>& ray) {
     const T ax = magnitude(direction.x), ay = magnitude(direction.y), az = magnitude(direction.z);
-    const bool is_finite = ax <= T(1e37) && ay <= T(1e37) && az <= T(1e37) && magnitude(origin.x) <= T(1e12) &&
-                           magnitude(origin.y) <= T(1e12) && magnitude(origin.z) <= T(1e12);
-    const T largest = larger(larger(ax, ay), az);
+    const bool is_finite = ax <= T(1e37) && ay <= T(1e37) && az <= T(1e37) && magnitude(origin.x) <= T(largest_place) &&
+                           magnitude(origin.y) <= T(largest_place) && magnitude(origin.z) <= T(largest_place);
+    const T largest = largest_part(direction);
     if (!is_finite || !(largest > T(0))) return false;
     const int exponent = exponent_of(largest);
     direction = {scaled(direction.x, -exponent), scaled(direction.y, -exponent), scaled(direction.z, -exponent)};

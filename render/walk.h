@@ -28,6 +28,9 @@ struct WalkEnd {
     T facing;    ///< direction . outward normal (of the section's length)
 };
 
+/// Where a walk is told to end before a face stops it. `before_side` and `before_level` say whether that place lies
+/// before the face by which the ray leaves a cell, `ends_in` whether the cell just entered is as good as that place.
+///
 /// Walks until a face stops the light.
 struct NoLimit {
     template <class T>
@@ -38,6 +41,7 @@ struct NoLimit {
     ENFILADE_HD bool before_level(T, T) const {
         return false;
     }
+    ENFILADE_HD bool ends_in(std::uint32_t) const { return false; }
 };
 
 /// Walks at most `t` times the ray's (scaled) direction.
@@ -47,7 +51,22 @@ struct Limit {
     ENFILADE_HD bool before_side(T num, T den) const { return !(num <= t * den); }
     /// rise: from the origin up to the level.
     ENFILADE_HD bool before_level(T rise, T dz) const { return dz < T(0) ? !(rise >= t * dz) : !(rise <= t * dz); }
+    ENFILADE_HD bool ends_in(std::uint32_t) const { return false; }
 };
+
+/// Walks to the point q at `t` times the ray's (scaled) direction. What lies on a face lies before it. Cells are
+/// convex: from the border at which the ray enters q's cell, if that is known, nothing comes between, so the walk ends
+/// there. q's distance still ends it where rounding leads the ray past a corner of that cell.
+template <class T>
+struct ToPoint {
+    T t;
+    std::uint32_t cell;  ///< no_cell: not known
+    ENFILADE_HD bool before_side(T num, T den) const { return num >= t * den; }
+    ENFILADE_HD bool before_level(T rise, T dz) const { return dz < T(0) ? rise <= t * dz : rise >= t * dz; }
+    ENFILADE_HD bool ends_in(std::uint32_t entered) const { return entered == cell; }
+};
+
+inline constexpr std::uint32_t no_cell = 0xffffffffu;
 
 inline constexpr std::uint32_t no_section = 0xffffffffu;
 inline constexpr std::uint32_t bit_sections = 32;
@@ -263,6 +282,7 @@ template <class T, class Stop, class Events>
 ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
                             Vec3f& throughput, Events& events) {
     WalkEnd<T> end;
+    events.began_walk();
     std::uint32_t entry = no_section, entry_next = no_section;
     const std::uint64_t turn_back = scene.cells.count + 16;
     for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
@@ -278,6 +298,11 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
         entry_next = end.next_section;
         cell = static_cast<std::uint32_t>(end.target.neighbour());
         events.crossed(cell);
+        if (stop.ends_in(cell)) {
+            end.cell = cell;
+            end.status = WalkStatus::Reached;
+            return end;
+        }
     }
     end.status = WalkStatus::Leak;
     events.leaked();

@@ -18,6 +18,7 @@ enum class Exit : std::uint32_t { Side, Floor, Ceiling };
 
 /// What happened on the way. `NoEvents` costs nothing.
 struct NoEvents {
+    ENFILADE_HD void began_walk() {}
     ENFILADE_HD void entered_cell(std::uint32_t) {}
     ENFILADE_HD void several_exits() {}
     ENFILADE_HD void no_exit() {}
@@ -30,7 +31,7 @@ struct NoEvents {
 struct RayStats {
     std::uint64_t rays = 0;        ///< walks begun: of pixels, reflections, shadows and corners
     std::uint64_t cells = 0;       ///< cells entered, by rays and packets
-    std::uint64_t side_tests = 0;  ///< vertical lines tested, by rays and packets
+    std::uint64_t side_tests = 0;  ///< vertical lines of these cells, each tested once, by rays and packets
     std::uint64_t several = 0;     ///< recoveries: sections accepted the ray at once, the farthest was taken
     std::uint64_t none = 0;        ///< recoveries: no section accepted it, the one that missed by least was taken
     std::uint64_t leaks = 0;
@@ -39,6 +40,7 @@ struct RayStats {
     std::uint64_t splits = 0;  ///< packets whose corners left a cell by different faces
     std::uint64_t filled = 0;  ///< pixels that whole packets filled
 
+    ENFILADE_HD void began_walk() { ++rays; }
     /// sections: of the cell
     ENFILADE_HD void entered_cell(std::uint32_t sections) {
         ++cells;

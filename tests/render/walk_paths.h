@@ -14,8 +14,10 @@ struct Path : render::NoEvents {
     std::vector<std::uint32_t> cells;
     int several = 0;
     int none = 0;
+    int panes = 0;
     ENFILADE_HD void several_exits() { ++several; }
     ENFILADE_HD void no_exit() { ++none; }
+    ENFILADE_HD void crossed_glass() { ++panes; }
     void crossed(std::uint32_t cell) { cells.push_back(cell); }
 };
 
