@@ -41,10 +41,10 @@ void bench_pictures(Bench& bench, const accel::SceneView& scene, const std::stri
             render::trace_lambert(scene, view.frame, view.start, {.tracer = render::Tracer::Scalar}, one_thread, image);
     };
     const auto single = [&] {
-        for (const PreparedView& view : views) embree.trace_lambert(view.frame, image);
+        for (const PreparedView& view : views) embree.trace_lambert(view.frame, {.lanes = 1}, one_thread, image);
     };
     const auto packets = [&] {
-        for (const PreparedView& view : views) embree.trace_lambert_packets(view.frame, image);
+        for (const PreparedView& view : views) embree.trace_lambert(view.frame, {.lanes = 16}, one_thread, image);
     };
     const int runs = bench.quick() ? 3 : 9;
     const double rays = double(side) * side * double(view_count);

@@ -1,0 +1,288 @@
+// Packets of rays for Embree, made and shaded in lanes. Compiled once for every instruction set of Highway's.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/embree_loops.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include <limits>
+
+#include "render/embree_loops.h"
+#include "render/framebuffer.h"
+#include "render/walk_events.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render::detail {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <int N>
+struct Packet;
+template <>
+struct Packet<8> {
+    using Ray = RTCRay8;
+    using RayHit = RTCRayHit8;
+    static constexpr auto intersect = rtcIntersect8;
+    static constexpr auto occluded = rtcOccluded8;
+};
+template <>
+struct Packet<16> {
+    using Ray = RTCRay16;
+    using RayHit = RTCRayHit16;
+    static constexpr auto intersect = rtcIntersect16;
+    static constexpr auto occluded = rtcOccluded16;
+};
+
+template <int N>
+using Floats = hn::CappedTag<float, N>;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+HWY_INLINE RTCIntersectContext context_of(const EmbreeScene& embree) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = embree.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    return context;
+}
+
+template <class D>
+struct Vec3 {
+    hn::Vec<D> x, y, z;
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const Vec3<D>& a, const Vec3<D>& b) {
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+/// 1 / sqrt(a) to some 22 bits.
+template <class D>
+HWY_INLINE hn::Vec<D> inverse_root(D d, hn::Vec<D> a) {
+    const auto guess = hn::ApproximateReciprocalSqrt(a);
+    const auto half = hn::Mul(hn::Mul(a, hn::Set(d, 0.5f)), guess);
+    return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5f)));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(D d, hn::Vec<D> linear) {
+    const auto clipped = hn::Min(hn::Max(linear, hn::Zero(d)), hn::Set(d, 1.0f));
+    const auto channel = hn::MulAdd(hn::Set(d, 255.0f), hn::Sqrt(clipped), hn::Set(d, 0.5f));
+    return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), channel));
+}
+
+template <class D>
+HWY_INLINE Vec3<D> sky(D d, const Look& look, const Vec3<D>& direction) {
+    const auto up = hn::Mul(direction.z, inverse_root(d, dot<D>(direction, direction)));
+    const auto blend = hn::Sqrt(hn::Max(up, hn::Zero(d)));
+    const auto between = [&](float horizon, float zenith) {
+        return hn::MulAdd(blend, hn::Set(d, zenith - horizon), hn::Set(d, horizon));
+    };
+    return {between(look.sky_horizon.x, look.sky_zenith.x), between(look.sky_horizon.y, look.sky_zenith.y),
+            between(look.sky_horizon.z, look.sky_zenith.z)};
+}
+
+/// What Lambert's shading makes of lanes of hits; magenta where there is none. Most packets see one primitive.
+template <class D, class Hit>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(D d, const EmbreeTile& job, const Vec3<D>& direction, const Hit& hit,
+                                                   std::size_t k) {
+    const hn::RebindToUnsigned<D> du;
+    const hn::RebindToSigned<D> di;
+    const auto has_hit = hn::Eq(hn::Load(du, hit.geomID + k), hn::Zero(du));
+    const auto primitive = hn::IfThenElseZero(has_hit, hn::Load(du, hit.primID + k));
+    const Vec3<D> normal = {hn::Load(d, hit.Ng_x + k), hn::Load(d, hit.Ng_y + k), hn::Load(d, hit.Ng_z + k)};
+    const auto scale = hn::Mul(dot<D>(normal, normal), dot<D>(direction, direction));
+    const auto cosine = hn::Mul(hn::Abs(dot<D>(normal, direction)), inverse_root(d, scale));
+    const bool is_one = hn::AllTrue(du, hn::And(has_hit, hn::Eq(primitive, hn::Set(du, hn::GetLane(primitive)))));
+    Vec3<D> colour;
+    hn::Mask<D> is_sky;
+    if (HWY_LIKELY(is_one)) {
+        const PrimitiveLook& look = job.embree.looks[hn::GetLane(primitive)];
+        colour = {hn::Set(d, look.red), hn::Set(d, look.green), hn::Set(d, look.blue)};
+        is_sky = hn::MaskFromVec(hn::BitCast(d, hn::Set(du, (look.source_face & sky_bit) != 0 ? ~0u : 0u)));
+    } else {
+        const auto place = hn::BitCast(di, hn::ShiftLeft<2>(primitive));
+        const float* looks = &job.embree.looks->red;
+        colour = {hn::GatherIndex(d, looks, place), hn::GatherIndex(d, looks + 1, place),
+                  hn::GatherIndex(d, looks + 2, place)};
+        const auto face = hn::BitCast(di, hn::GatherIndex(d, looks + 3, place));
+        is_sky = hn::RebindMask(d, hn::Lt(face, hn::Zero(di)));
+    }
+    colour = {hn::Mul(colour.x, cosine), hn::Mul(colour.y, cosine), hn::Mul(colour.z, cosine)};
+    if (!hn::AllFalse(d, is_sky)) {
+        const Vec3<D> above = sky(d, *job.look, direction);
+        colour = {hn::IfThenElse(is_sky, above.x, colour.x), hn::IfThenElse(is_sky, above.y, colour.y),
+                  hn::IfThenElse(is_sky, above.z, colour.z)};
+    }
+    const auto pixels = hn::Or(hn::Or(encoded(d, colour.x), hn::ShiftLeft<8>(encoded(d, colour.y))),
+                               hn::Or(hn::ShiftLeft<16>(encoded(d, colour.z)), hn::Set(du, 0xff000000u)));
+    return hn::IfThenElse(hn::RebindMask(du, has_hit), pixels, hn::Set(du, 0xffff00ffu));
+}
+
+/// What no ray changes.
+template <int N, class Ray>
+HWY_INLINE void fill_constants(Ray& ray, const Vec3f* origin) {
+    const Floats<N> d;
+    for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
+        if (origin != nullptr) {
+            hn::Store(hn::Set(d, origin->x), d, ray.org_x + k);
+            hn::Store(hn::Set(d, origin->y), d, ray.org_y + k);
+            hn::Store(hn::Set(d, origin->z), d, ray.org_z + k);
+        }
+        hn::Store(hn::Zero(d), d, ray.tnear + k);
+        hn::Store(hn::Zero(d), d, ray.time + k);
+        const hn::RebindToUnsigned<Floats<N>> du;
+        hn::Store(hn::Set(du, ~0u), du, ray.mask + k);
+        hn::Store(hn::Zero(du), du, ray.id + k);
+        hn::Store(hn::Zero(du), du, ray.flags + k);
+    }
+}
+
+template <int N>
+HWY_NOINLINE void trace_tile(const EmbreeTile& job) {
+    const Floats<N> d;
+    const hn::RebindToUnsigned<Floats<N>> du;
+    using D = Floats<N>;
+    alignas(64) static constexpr float columns[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) static constexpr float rows[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    RTCIntersectContext context = context_of(job.embree);
+    alignas(64) int valid[N];
+    for (int& lane : valid) lane = -1;
+    alignas(64) typename Packet<N>::RayHit query;
+    fill_constants<N>(query.ray, &job.camera->origin);
+    const CameraFrame camera = *job.camera;
+    const auto along = [&](auto x, auto y, float corner, float right, float down) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Set(d, corner), hn::Mul(x, hn::Set(d, right))), hn::Mul(y, hn::Set(d, down)));
+    };
+    for (int y = job.y0; y < job.y1; y += N / 4) {
+        for (int x = job.x0; x < job.x1; x += 4) {
+            for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
+                const auto px = hn::Add(hn::Set(d, static_cast<float>(x) + 0.5f), hn::Load(d, columns + k));
+                const auto py = hn::Add(hn::Set(d, static_cast<float>(y) + 0.5f), hn::Load(d, rows + k));
+                hn::Store(along(px, py, camera.corner.x, camera.du.x, camera.dv.x), d, query.ray.dir_x + k);
+                hn::Store(along(px, py, camera.corner.y, camera.du.y, camera.dv.y), d, query.ray.dir_y + k);
+                hn::Store(along(px, py, camera.corner.z, camera.du.z, camera.dv.z), d, query.ray.dir_z + k);
+                hn::Store(hn::Set(d, infinity), d, query.ray.tfar + k);
+                hn::Store(hn::Set(du, RTC_INVALID_GEOMETRY_ID), du, query.hit.geomID + k);
+                hn::Store(hn::Set(du, RTC_INVALID_GEOMETRY_ID), du, query.hit.instID[0] + k);
+            }
+            Packet<N>::intersect(valid, job.embree.scene, &context, &query);
+            alignas(64) std::uint32_t pixels[N];
+            for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
+                const Vec3<D> direction = {hn::Load(d, query.ray.dir_x + k), hn::Load(d, query.ray.dir_y + k),
+                                           hn::Load(d, query.ray.dir_z + k)};
+                hn::Store(shaded(d, job, direction, query.hit, k), du, pixels + k);
+            }
+            std::uint32_t* to = job.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x;
+            for (int row = 0; row < N / 4; ++row, to += job.width) __builtin_memcpy(to, pixels + 4 * row, 16);
+        }
+    }
+}
+
+/// Lanes of columns from i on; beyond the end the last ones, which the caller masks.
+template <class D>
+HWY_INLINE hn::Vec<D> lanes_of(D d, const float* column, std::uint64_t i, std::uint64_t end) {
+    const std::uint64_t lanes = hn::Lanes(d);
+    if (HWY_LIKELY(i + lanes <= end)) return hn::LoadU(d, column + i);
+    alignas(64) float copy[16];
+    for (std::uint64_t k = 0; k < lanes; ++k) copy[k] = column[i + k < end ? i + k : end - 1];
+    return hn::Load(d, copy);
+}
+
+template <int N>
+HWY_NOINLINE void trace_rays(const EmbreeRays& job) {
+    const Floats<N> d;
+    const hn::RebindToUnsigned<Floats<N>> du;
+    RTCIntersectContext context = context_of(job.embree);
+    alignas(64) int valid[N];
+    alignas(64) typename Packet<N>::RayHit query;
+    alignas(64) float metres[N];
+    fill_constants<N>(query.ray, nullptr);
+    for (std::uint64_t i = job.begin; i < job.end; i += N) {
+        for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
+            const auto column = [&](const float* from) HWY_ATTR { return lanes_of(d, from, i + k, job.end); };
+            const Vec3<Floats<N>> along = {column(job.direction[0]), column(job.direction[1]),
+                                           column(job.direction[2])};
+            const auto square = dot<Floats<N>>(along, along);
+            hn::Store(column(job.origin[0]), d, query.ray.org_x + k);
+            hn::Store(column(job.origin[1]), d, query.ray.org_y + k);
+            hn::Store(column(job.origin[2]), d, query.ray.org_z + k);
+            hn::Store(along.x, d, query.ray.dir_x + k);
+            hn::Store(along.y, d, query.ray.dir_y + k);
+            hn::Store(along.z, d, query.ray.dir_z + k);
+            const auto inverse = inverse_root(d, square);
+            hn::Store(hn::Mul(square, inverse), d, metres + k);
+            hn::Store(hn::Mul(hn::Set(d, job.skin), inverse), d, query.ray.tnear + k);
+            hn::Store(job.max_distance == nullptr ? hn::Set(d, infinity) : hn::Mul(column(job.max_distance), inverse),
+                      d, query.ray.tfar + k);
+            hn::Store(hn::Set(du, RTC_INVALID_GEOMETRY_ID), du, query.hit.geomID + k);
+            hn::Store(hn::Set(du, RTC_INVALID_GEOMETRY_ID), du, query.hit.instID[0] + k);
+        }
+        const auto count = static_cast<int>(job.end - i < N ? job.end - i : N);
+        for (int k = 0; k < N; ++k) valid[k] = k < count ? -1 : 0;
+        Packet<N>::intersect(valid, job.embree.scene, &context, &query);
+        for (int k = 0; k < count; ++k) {
+            const bool is_hit = query.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+            const bool is_limited = job.max_distance != nullptr && job.max_distance[i + k] < 1e30f;
+            if (job.distance != nullptr) job.distance[i + k] = query.ray.tfar[k] * metres[k];
+            if (job.source_face != nullptr)
+                job.source_face[i + k] = static_cast<accel::SourceFaceId>(
+                    is_hit ? job.embree.looks[query.hit.primID[k]].source_face & ~sky_bit : ~0u);
+            if (job.status != nullptr)
+                job.status[i + k] = is_hit ? WalkStatus::Hit : (is_limited ? WalkStatus::Reached : WalkStatus::Leak);
+        }
+    }
+}
+
+template <int N>
+HWY_NOINLINE void trace_segments(const EmbreeSegments& job) {
+    const Floats<N> d;
+    RTCIntersectContext context = context_of(job.embree);
+    alignas(64) int valid[N];
+    alignas(64) typename Packet<N>::Ray ray;
+    fill_constants<N>(ray, nullptr);
+    for (std::uint64_t i = job.begin; i < job.end; i += N) {
+        for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
+            const auto column = [&](const float* from) HWY_ATTR { return lanes_of(d, from, i + k, job.end); };
+            const Vec3<Floats<N>> from = {column(job.from[0]), column(job.from[1]), column(job.from[2])};
+            const Vec3<Floats<N>> along = {hn::Sub(column(job.to[0]), from.x), hn::Sub(column(job.to[1]), from.y),
+                                           hn::Sub(column(job.to[2]), from.z)};
+            const auto skin = hn::Mul(hn::Set(d, job.skin), inverse_root(d, dot<Floats<N>>(along, along)));
+            hn::Store(from.x, d, ray.org_x + k);
+            hn::Store(from.y, d, ray.org_y + k);
+            hn::Store(from.z, d, ray.org_z + k);
+            hn::Store(along.x, d, ray.dir_x + k);
+            hn::Store(along.y, d, ray.dir_y + k);
+            hn::Store(along.z, d, ray.dir_z + k);
+            hn::Store(skin, d, ray.tnear + k);
+            hn::Store(hn::Sub(hn::Set(d, 1.0f), skin), d, ray.tfar + k);
+        }
+        const auto count = static_cast<int>(job.end - i < N ? job.end - i : N);
+        for (int k = 0; k < N; ++k) valid[k] = k < count ? -1 : 0;
+        Packet<N>::occluded(valid, job.embree.scene, &context, &ray);
+        for (int k = 0; k < count; ++k) job.visible[i + k] = ray.tfar[k] >= 0 ? 1 : 0;
+    }
+}
+
+void tile(const EmbreeTile& job, int lanes) { lanes == 8 ? trace_tile<8>(job) : trace_tile<16>(job); }
+void rays(const EmbreeRays& job, int lanes) { lanes == 8 ? trace_rays<8>(job) : trace_rays<16>(job); }
+void segments(const EmbreeSegments& job, int lanes) { lanes == 8 ? trace_segments<8>(job) : trace_segments<16>(job); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render::detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace enfilade::render::detail {
+
+HWY_EXPORT(tile);
+HWY_EXPORT(rays);
+HWY_EXPORT(segments);
+
+void embree_tile(const EmbreeTile& job, int lanes) { HWY_DYNAMIC_DISPATCH(tile)(job, lanes); }
+void embree_rays(const EmbreeRays& job, int lanes) { HWY_DYNAMIC_DISPATCH(rays)(job, lanes); }
+void embree_segments(const EmbreeSegments& job, int lanes) { HWY_DYNAMIC_DISPATCH(segments)(job, lanes); }
+
+}  // namespace enfilade::render::detail
+#endif
