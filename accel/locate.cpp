@@ -61,8 +61,9 @@ void visit_candidates(const SceneView& view, const Point& p, double margin, cons
     }
 }
 
-/// Least distance from the point to the cell's planes, positive inside.
-double depth(const SceneView& view, CellId id, const Point& p) {
+}  // namespace
+
+double depth(const SceneView& view, CellId id, const std::array<double, 3>& p) {
     const Cell& cell = view.cells[index(id)];
     double least = std::min(p[2] - double{cell.z_floor}, double{cell.z_ceiling} - p[2]);
     for_each_edge(view, cell, [&](const Edge& e) {
@@ -72,13 +73,23 @@ double depth(const SceneView& view, CellId id, const Point& p) {
     return least;
 }
 
-}  // namespace
-
 bool contains(const SceneView& view, CellId id, const std::array<double, 3>& point) {
     const Cell& cell = view.cells[index(id)];
     if (!(point[2] >= double{cell.z_floor}) || !(point[2] < double{cell.z_ceiling})) return false;
+    // Of the cell's sides only the two that the point's y lies between (or a few of them) are looked at closely.
+    const float* ys = view.section_y.data() + cell.first_section;
+    const std::uint32_t last = cell.first_section + cell.section_count - 1;
     bool inside = false;
-    for_each_edge(view, cell, [&](const Edge& e) { inside ^= is_crossed(e, point); });
+    std::uint32_t a = last;
+    bool is_a_above = view.section_y[last] >= point[1];
+    for (std::uint32_t i = 0; i < cell.section_count; ++i) {
+        const bool is_b_above = ys[i] >= point[1];
+        const std::uint32_t b = cell.first_section + i;
+        if (is_a_above != is_b_above)
+            inside ^= is_crossed({view.section_x[a], view.section_y[a], view.section_x[b], view.section_y[b]}, point);
+        a = b;
+        is_a_above = is_b_above;
+    }
     return inside;
 }
 

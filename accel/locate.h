@@ -16,13 +16,17 @@ namespace enfilade::accel {
 /// fit in a double's 53 bits). Cost: log n.
 [[nodiscard]] std::optional<CellId> locate(const SceneView& view, const std::array<double, 3>& point);
 
-/// The same for many points: cells[i] is that of points[i], `none<CellId>` where there is none. A point is looked for
-/// where the one before it was found, then where the last one in its neighbourhood was, and only then from the top.
-/// cells: [points.size()]. `executor` nullptr: the calling thread; results do not depend on it.
+/// The same for many points: cells[i] is that of points[i], `none<CellId>` where there is none. Fast for points that
+/// follow each other through space, and for many more points than cells (it builds a PointGrid for those; keep one for
+/// a scene that is asked often). cells: [points.size()]. `executor` nullptr: the calling thread; results do not depend
+/// on it.
 void locate(const SceneView& view, std::span<const std::array<double, 3>> points, std::span<CellId> cells,
             const Executor* executor = nullptr);
 
 /// Whether that one cell holds the point, by the same rule.
 [[nodiscard]] bool contains(const SceneView& view, CellId cell, const std::array<double, 3>& point);
+
+/// Least distance (metres, about) from the point to the cell's planes, positive inside.
+[[nodiscard]] double depth(const SceneView& view, CellId cell, const std::array<double, 3>& point);
 
 }  // namespace enfilade::accel

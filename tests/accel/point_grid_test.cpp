@@ -7,7 +7,7 @@
 #include <random>
 
 #include "accel/assemble.h"
-#include "accel/locate.h"
+#include "accel/point_grid.h"
 #include "tests/support/synthetic_scene.h"
 
 namespace enfilade::accel {
@@ -43,6 +43,21 @@ TEST(LocateMany, FindsScatteredPoints) {
     const std::vector<CellId> expected = one_by_one(scene.view(), points);
     EXPECT_GT(std::count(expected.begin(), expected.end(), none<CellId>), 1000);
     EXPECT_EQ(at_once(scene.view(), points), expected);
+}
+
+TEST(LocateMany, FindsFewPointsWithoutAGrid) {
+    const Scene scene = office();
+    const Points points = scattered(scene.view().cells.size() / 2);
+    EXPECT_EQ(at_once(scene.view(), points), one_by_one(scene.view(), points));
+}
+
+// Where a search begins decides nothing about what it finds.
+TEST(PointGrid, FindsTheSameFromAnyCell) {
+    const Scene scene = office();
+    const PointGrid grid(scene.view());
+    std::mt19937_64 random(13);
+    for (const auto& p : scattered(2000))
+        EXPECT_EQ(grid.find(p, static_cast<CellId>(random() % scene.view().cells.size())), grid.find(p));
 }
 
 TEST(LocateMany, FindsPointsAlongPaths) {
@@ -84,6 +99,8 @@ TEST(LocateMany, FindsNothingForWhatIsNoPlace) {
     const Points points = {{nan, 1, 1},       {1, nan, 1},        {1, 1, nan},  {infinity, 1, 1},
                            {-infinity, 1, 1}, {1, 1e300, -1e300}, {1, 1, -1e9}, {nan, nan, nan}};
     for (const CellId cell : at_once(scene.view(), points)) EXPECT_EQ(cell, none<CellId>);
+    const PointGrid grid(scene.view());
+    for (const auto& p : points) EXPECT_EQ(grid.find(p), none<CellId>);
     EXPECT_TRUE(at_once(scene.view(), {}).empty());
 }
 
