@@ -13,6 +13,8 @@
 #include "tools/exit_code.h"
 #include "tools/output_file.h"
 #include "tools/progress.h"
+#include "tools/ray_report.h"
+#include "tools/trace_flags.h"
 #include "tools/view.h"
 
 namespace enfilade::tools {
@@ -63,9 +65,9 @@ View chosen_view(const RenderOptions& options, const accel::SceneView& scene) {
     return view;
 }
 
-render::Image render_view(const RenderOptions& options, const accel::SceneView& scene, const View& view,
-                          Progress& progress, render::RayStats& stats) {
-    if (options.tracer == "oracle") {
+render::Image render_view(const RenderOptions& options, const TracerChoice& choice, const accel::SceneView& scene,
+                          const View& view, Progress& progress, render::RayStats& stats) {
+    if (choice.is_oracle) {
         if (view.cut_z)
             throw InputError("F112", "",
                              "The oracle takes nothing off the building: give it --room NAME, --camera exterior or "
@@ -75,6 +77,10 @@ render::Image render_view(const RenderOptions& options, const accel::SceneView& 
     const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
     const WatchedExecutor watched(*cores, progress);
     render::TraceOptions trace;
+    trace.tracer = choice.tracer;
+    trace.precision = choice.precision;
+    trace.packets = choice.packets;
+    trace.mirror_floor = choice.mirror_floor;
     trace.shading = options.shading == "lambert" ? render::Shading::Lambert : render::Shading::Look;
     trace.samples_per_pixel = int(options.samples * options.samples);
     trace.cut_z = view.cut_z;
@@ -92,6 +98,7 @@ int run_render(const RenderOptions& options, const Console& console) {
     if (extension != ".png" && extension != ".exr")
         throw InputError("F113", options.output.string(), "Pictures are written as .png or .exr: end the name so.");
     parse_size(options.size);  // a wrong flag is said before the work
+    const TracerChoice choice = tracer_choice(options);
     const std::filesystem::path output = output_path(options.output);
 
     View view;
@@ -103,27 +110,33 @@ int run_render(const RenderOptions& options, const Console& console) {
         progress.next();
         view = chosen_view(options, scene.view());
         render::Image image;
-        seconds = seconds_of([&] { image = render_view(options, scene.view(), view, progress, stats); });
+        seconds = seconds_of([&] { image = render_view(options, choice, scene.view(), view, progress, stats); });
         progress.next();
         render::write_image(image, output);
     }
+    const std::uint64_t pixels = std::uint64_t(view.camera.width) * std::uint64_t(view.camera.height);
     if (console.json()) {
         const auto point = [](const render::Vec3d& p) { return nlohmann::ordered_json{p.x, p.y, p.z}; };
         nlohmann::ordered_json json = {
             {"command", "render"}, {"input", options.scene.string()}, {"output", options.output.string()}};
-        json["tracer"] = options.tracer;
+        json["tracer"] = choice.name();
+        json["real"] = choice.precision == render::Precision::Double ? "double" : "float";
+        if (!choice.is_oracle && choice.tracer == render::Tracer::Packet)
+            json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
+        json["mirror_floor"] = choice.mirror_floor;
+        json["shading"] = options.shading;
         json["width"] = view.camera.width;
         json["height"] = view.camera.height;
         json["eye"] = point(view.camera.eye);
         json["target"] = point(view.camera.target);
         json["fov_deg"] = view.camera.fov_deg;
         json["seconds"] = seconds;
-        json["cells_crossed"] = stats.cells;
-        json["leaks"] = stats.leaks;
+        if (!choice.is_oracle) json["statistics"] = ray_json(stats, pixels);
         console.print(json.dump(2) + '\n');
     } else {
         console.say(options.output.string() + ": " + std::to_string(view.camera.width) + " x " +
                     std::to_string(view.camera.height) + " pixels in " + time_text(seconds) + '.');
+        if (options.stats && !choice.is_oracle) console.print(ray_report(stats, pixels));
     }
     return exit_ok;
 }

@@ -98,8 +98,12 @@ struct RenderOptions {
     std::string camera;  ///< empty: chosen by `room`, or the whole building
     std::string room;
     std::string size = "1024x1024";
-    std::string tracer = "scalar";
+    std::string tracer;                       ///< empty: packets, or scalar where `real` is "double"
+    std::string real;                         ///< "float" or "double"; empty: the tracer's own
+    std::string packets;                      ///< "64:8"; empty: the usual ones
+    std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors
     std::string shading = "look";
+    bool stats = false;             ///< say what happened to the rays
     std::optional<double> fov_deg;  ///< nothing: the view's own
     std::uint32_t samples = 2;
     std::uint32_t threads = 0;  ///< 0: all

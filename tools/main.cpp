@@ -226,14 +226,27 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(command, "--fov-deg", options.fov_deg, "DEGREES", "field of view across the longer side (the view's own)")
         ->check(CLI::Range(1.0, 170.0));
     add_value(command, "--tracer", options.tracer, "NAME",
-              "scalar: through the cells; oracle: every face against every ray, in double precision, slow (scalar)")
-        ->check(CLI::IsMember({"scalar", "oracle"}));
+              "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
+              "of the picture; oracle: every face against every ray, slow (packet)")
+        ->check(CLI::IsMember({"scalar", "simd", "packet", "oracle"}));
+    add_value(command, "--real", options.real, "TYPE",
+              "float or double: the numbers in which rays walk; double is for the scalar tracer, and chooses it (float)")
+        ->check(CLI::IsMember({"float", "double"}));
+    add_value(command, "--packets", options.packets, "LARGEST:SMALLEST",
+              "packet tracer: pixels a side of the tiles that it begins with, and of those that it walks ray by ray "
+              "(64:8)");
+    add_value(command, "--mirror-floor", options.mirror_floor, "[SHARE]",
+              "floors mirror this share of the light, 0 to 1; 0.25 where the flag stands alone (0)")
+        ->expected(0, 1);
     add_value(command, "--shading", options.shading, "NAME",
               "look: sun, sky and darkened corners; lambert: one lamp at the eye, as the oracle has it (look)")
         ->check(CLI::IsMember({"look", "lambert"}));
     add_value(command, "--samples", options.samples, "N", "rays along each side of a pixel: 3 gives 9 a pixel (2)")
         ->check(CLI::Range(1u, 32u));
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
+    command->add_flag("--stats", options.stats,
+                      "say what happened to the rays: cells and sides a ray, packets, recoveries; with --json it is always "
+                      "there");
 }
 
 void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {

@@ -1,0 +1,27 @@
+#pragma once
+// What --tracer, --real, --packets and --mirror-floor ask for.
+
+#include <string>
+
+#include "render/trace.h"
+#include "tools/commands.h"
+
+namespace enfilade::tools {
+
+/// A tracer with what belongs to it, sound as `render::trace` wants it.
+struct TracerChoice {
+    bool is_oracle = false;  ///< brute force instead of cells; `tracer` and `packets` mean nothing then
+    render::Tracer tracer = render::Tracer::Packet;
+    render::Precision precision = render::Precision::Float;
+    render::PacketSizes packets;
+    float mirror_floor = 0;
+
+    /// As --tracer takes it.
+    [[nodiscard]] const char* name() const;
+};
+
+/// Reads and checks the flags, before any work. Where no tracer is named, double precision chooses the scalar one, and
+/// everything else packets. Throws InputError (F130 to F133) with one sentence for what is wrong or contradicts itself.
+[[nodiscard]] TracerChoice tracer_choice(const RenderOptions& options);
+
+}  // namespace enfilade::tools
