@@ -27,6 +27,7 @@ struct TileJob {
     float mirror_floor;   ///< share of light that floors reflect
     PacketSizes packets;  ///< of the packet tracer
     RayStats* stats;      ///< nullptr: not counted
+    bool is_double;       ///< walked in double precision, the same rays; the scalar loops alone do
 };
 
 struct RayJob {

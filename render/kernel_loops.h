@@ -3,6 +3,7 @@
 
 #include "render/framebuffer.h"
 #include "render/kernel.h"
+#include "render/mirror.h"
 #include "render/sampling.h"
 #include "render/shade.h"
 #include "render/walk.h"
@@ -23,55 +24,70 @@ void store(const detail::TileJob& job, int x, int y, Vec3f colour) {
     p[2] = colour.z;
 }
 
-template <class Events>
+/// What a lamp at the eye shows of where a walk ended; throughput not yet counted.
+template <class T>
+Vec3f lambert_colour(const accel::SceneView& scene, const Look& look, const Ray<T>& ray, const WalkEnd<T>& end) {
+    if (end.status != WalkStatus::Hit) return {1, 0, 1};  // a leak shows
+    const accel::SourceFace& face = scene.source_faces[end.target.bits];
+    return face.surface == accel::Surface::Sky ? sky_colour(look, vec_cast<float>(ray.direction))
+                                               : headlight_cosine(scene, ray, end) * colour_of(scene, face);
+}
+
+/// What the mirror at which `ray` ended shows: the eye and its lamp have their images below it.
+template <class T, class Events>
+Vec3f lambert_in_mirror(const detail::TileJob& job, const accel::SceneView& scene, const Ray<T>& ray,
+                        const WalkEnd<T>& end, Vec3f own, Events& events) {
+    const Ray<T> image = mirrored(ray, T(scene.cells[end.cell].z_floor));
+    Vec3f throughput = {1, 1, 1};
+    const WalkEnd<T> seen = walk(scene, image, end.cell, NoLimit{}, throughput, events);
+    return in_mirror(job.mirror_floor, own, throughput * lambert_colour(scene, *job.look, image, seen));
+}
+
+template <class T, class Events>
 void lambert_rows(const detail::TileJob& job, Events& events) {
     const accel::SceneView scene = *job.scene;
     const CameraFrame camera = *job.camera;
     const Look& look = *job.look;
+    const Vec<T> eye = vec_cast<T>(camera.origin);
     for (int y = job.y0; y < job.y1; ++y) {
         for (int x = job.x0; x < job.x1; ++x) {
             const Vec3f direction = camera.direction(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-            const Ray<float> ray = make_ray_unchecked(camera.origin, direction);
+            const Ray<T> ray = make_ray_unchecked(eye, vec_cast<T>(direction));
             Vec3f throughput = {1, 1, 1};
-            const WalkEnd<float> end = walk(scene, ray, job.start_cell, NoLimit{}, throughput, events);
-            Vec3f colour = {1, 0, 1};  // a leak shows
-            if (end.status == WalkStatus::Hit) {
-                const accel::SourceFace& face = scene.source_faces[end.target.bits];
-                colour = face.surface == accel::Surface::Sky
-                             ? sky_colour(look, direction)
-                             : headlight_cosine(scene, ray, end) * colour_of(scene, face);
-            }
+            const WalkEnd<T> end = walk(scene, ray, job.start_cell, NoLimit{}, throughput, events);
+            Vec3f colour = lambert_colour(scene, look, ray, end);
+            if (job.mirror_floor > 0 && is_mirror_hit(scene, end))
+                colour = lambert_in_mirror(job, scene, ray, end, colour, events);
             store(job, x, y, throughput * colour);
         }
     }
 }
 
 /// How much of the sky and of far walls a point sees: short rays over the hemisphere, each worth how far it gets.
-template <class Events>
-float ambient_openness(const accel::SceneView& scene, const Look& look, Vec3f point, Vec3f normal, std::uint32_t cell,
+template <class T, class Events>
+float ambient_openness(const accel::SceneView& scene, const Look& look, Vec<T> point, Vec3f normal, std::uint32_t cell,
                        Sampler& sampler, Events& events) {
     float open = 0;
     for (int i = 0; i < look.ambient_samples; ++i) {
-        const Vec3f direction = sampler.next_cosine_direction(normal);
-        const Ray<float> ray = make_ray_unchecked(point, direction);
+        const Ray<T> ray = make_ray_unchecked(point, vec_cast<T>(sampler.next_cosine_direction(normal)));
         Vec3f throughput = {1, 1, 1};
-        const WalkEnd<float> end = walk(scene, ray, cell, Limit<float>{look.ambient_reach}, throughput, events);
+        const WalkEnd<T> end = walk(scene, ray, cell, Limit<T>{T(look.ambient_reach)}, throughput, events);
         const bool is_open =
             end.status != WalkStatus::Hit || scene.source_faces[end.target.bits].surface == accel::Surface::Sky;
-        const float reached = is_open ? 1.0f : parameter(scene, ray, end) / look.ambient_reach;
+        const float reached = is_open ? 1.0f : static_cast<float>(parameter(scene, ray, end) / T(look.ambient_reach));
         open += reached > 0 ? (reached < 1 ? reached * (2 - reached) : 1.0f) : 0.0f;
     }
     return look.ambient_samples > 0 ? open / static_cast<float>(look.ambient_samples) : 1.0f;
 }
 
-template <class Events>
-Vec3f sunlight(const accel::SceneView& scene, const Look& look, Vec3f point, Vec3f normal, std::uint32_t cell,
+template <class T, class Events>
+Vec3f sunlight(const accel::SceneView& scene, const Look& look, Vec<T> point, Vec3f normal, std::uint32_t cell,
                Events& events) {
     const float cosine = dot(normal, look.sun_direction);
     if (!(cosine > 0)) return {0, 0, 0};
     Vec3f throughput = {1, 1, 1};
-    const Ray<float> ray = make_ray_unchecked(point, look.sun_direction);
-    const WalkEnd<float> end = walk(scene, ray, cell, NoLimit{}, throughput, events);
+    const Ray<T> ray = make_ray_unchecked(point, vec_cast<T>(look.sun_direction));
+    const WalkEnd<T> end = walk(scene, ray, cell, NoLimit{}, throughput, events);
     if (end.status != WalkStatus::Hit || scene.source_faces[end.target.bits].surface != accel::Surface::Sky)
         return {0, 0, 0};
     return cosine * (throughput * look.sun);
@@ -79,11 +95,12 @@ Vec3f sunlight(const accel::SceneView& scene, const Look& look, Vec3f point, Vec
 
 /// Where the walk ended, on the face itself. Secondary rays need no epsilon: a walk starts in a cell and asks by which
 /// face the line leaves it, so the face on which it starts is never hit again.
-ENFILADE_HD Vec3f end_point(const accel::SceneView& scene, const Ray<float>& ray, const WalkEnd<float>& end, float t) {
+template <class T>
+Vec<T> end_point(const accel::SceneView& scene, const Ray<T>& ray, const WalkEnd<T>& end) {
     const accel::Cell& cell = scene.cells[end.cell];
-    Vec3f point = ray.origin + t * ray.direction;
-    if (end.exit == Exit::Floor || point.z < cell.z_floor) point.z = cell.z_floor;
-    if (end.exit == Exit::Ceiling || point.z > cell.z_ceiling) point.z = cell.z_ceiling;
+    Vec<T> point = ray.origin + parameter(scene, ray, end) * ray.direction;
+    if (end.exit == Exit::Floor || point.z < T(cell.z_floor)) point.z = T(cell.z_floor);
+    if (end.exit == Exit::Ceiling || point.z > T(cell.z_ceiling)) point.z = T(cell.z_ceiling);
     return point;
 }
 
@@ -96,41 +113,62 @@ ENFILADE_HD Vec3f under_shoulder(const Look& look, Vec3f c) {
     return {under_shoulder(c.x, look.shoulder), under_shoulder(c.y, look.shoulder), under_shoulder(c.z, look.shoulder)};
 }
 
-template <class Events>
-Vec3f radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec3f origin, Vec3f direction,
-               std::uint32_t cell, Sampler& sampler, Events& events) {
-    const Look& look = *job.look;
-    const Ray<float> ray = make_ray_unchecked(origin, direction);
-    Vec3f throughput = {1, 1, 1};
-    const WalkEnd<float> end = walk(scene, ray, cell, NoLimit{}, throughput, events);
+/// What the light shows of where a walk ended; throughput not yet counted.
+template <class T, class Events>
+Vec3f look_colour(const accel::SceneView& scene, const Look& look, const Ray<T>& ray, const WalkEnd<T>& end,
+                  Sampler& sampler, Events& events) {
+    if (end.status == WalkStatus::Reached) return sky_colour(look, vec_cast<float>(ray.direction));
     if (end.status != WalkStatus::Hit) return {1, 0, 1};
     const accel::SourceFace& face = scene.source_faces[end.target.bits];
-    if (face.surface == accel::Surface::Sky) return throughput * sky_colour(look, direction);
-    const float t = parameter(scene, ray, end);
-    const Vec3f point = end_point(scene, ray, end, t);
+    if (face.surface == accel::Surface::Sky) return sky_colour(look, vec_cast<float>(ray.direction));
+    const Vec<T> point = end_point(scene, ray, end);
     const Vec3f normal = normal_of(scene, end);
     const float headlight = look.headlight * headlight_cosine(scene, ray, end);
     const Vec3f light = ambient_openness(scene, look, point, normal, end.cell, sampler, events) * look.ambient +
                         sunlight(scene, look, point, normal, end.cell, events) + Vec3f{headlight, headlight, headlight};
-    return throughput * under_shoulder(look, light * colour_of(scene, face));
+    return under_shoulder(look, light * colour_of(scene, face));
+}
+
+/// In a dollhouse a reflected ray that rises through the cut sees the sky.
+template <class T, class Events>
+Vec3f look_in_mirror(const detail::TileJob& job, const accel::SceneView& scene, const Ray<T>& ray,
+                     const WalkEnd<T>& end, Vec3f own, Sampler& sampler, Events& events) {
+    const Ray<T> image = mirrored(ray, T(scene.cells[end.cell].z_floor));
+    const T limit = job.is_cut ? (T(job.cut_z) - image.origin.z) / image.direction.z : T(3e38f);
+    Vec3f throughput = {1, 1, 1};
+    const WalkEnd<T> seen = walk(scene, image, end.cell, Limit<T>{limit}, throughput, events);
+    const Vec3f colour = look_colour(scene, *job.look, image, seen, sampler, events);
+    return in_mirror(job.mirror_floor, own, throughput * colour);
+}
+
+template <class T, class Events>
+Vec3f radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec<T> origin, Vec3f direction,
+               std::uint32_t cell, Sampler& sampler, Events& events) {
+    const Ray<T> ray = make_ray_unchecked(origin, vec_cast<T>(direction));
+    Vec3f throughput = {1, 1, 1};
+    const WalkEnd<T> end = walk(scene, ray, cell, NoLimit{}, throughput, events);
+    Vec3f colour = look_colour(scene, *job.look, ray, end, sampler, events);
+    if (job.mirror_floor > 0 && is_mirror_hit(scene, end))
+        colour = look_in_mirror(job, scene, ray, end, colour, sampler, events);
+    return throughput * colour;
 }
 
 /// The dollhouse: the ray begins where it falls through the cut.
-template <class Events>
+template <class T, class Events>
 Vec3f cut_radiance(const detail::TileJob& job, const accel::SceneView& scene, Vec3f direction, std::uint32_t& near_cell,
                    Sampler& sampler, Events& events) {
     const Look& look = *job.look;
-    const Vec3f eye = job.camera->origin;
+    const Vec<T> eye = vec_cast<T>(job.camera->origin), way = vec_cast<T>(direction);
     if (!(direction.z < 0)) return look.paper;
-    const float t = (job.cut_z - eye.z) / direction.z;
-    const Vec3f point = {eye.x + t * direction.x, eye.y + t * direction.y, job.cut_z};
+    const T t = (T(job.cut_z) - eye.z) / way.z;
+    const Vec<T> point = {eye.x + t * way.x, eye.y + t * way.y, T(job.cut_z)};
     const double where[3] = {point.x, point.y, point.z};
-    if (near_cell == no_section || !detail::cell_holds(scene, near_cell, where)) {
+    if (near_cell == no_cell || !detail::cell_holds(scene, near_cell, where)) {
         const std::uint32_t cell = detail::cell_at(scene, where);
-        if (cell == no_section) {
+        if (cell == no_cell) {
             const accel::LocatorNode& site = scene.locator_nodes[0];
-            const bool is_on_site =
-                point.x >= site.low[0] && point.x <= site.high[0] && point.y >= site.low[1] && point.y <= site.high[1];
+            const bool is_on_site = where[0] >= site.low[0] && where[0] <= site.high[0] && where[1] >= site.low[1] &&
+                                    where[1] <= site.high[1];
             return is_on_site ? look.cut : look.paper;
         }
         near_cell = cell;
@@ -138,13 +176,14 @@ Vec3f cut_radiance(const detail::TileJob& job, const accel::SceneView& scene, Ve
     return radiance(job, scene, point, direction, near_cell, sampler, events);
 }
 
-template <class Events>
+template <class T, class Events>
 void look_rows(const detail::TileJob& job, Events& events) {
     const accel::SceneView scene = *job.scene;
     const CameraFrame camera = *job.camera;
+    const Vec<T> eye = vec_cast<T>(camera.origin);
     const int side = job.samples_a_side;
     const float step = 1.0f / static_cast<float>(side);
-    std::uint32_t near_cell = no_section;
+    std::uint32_t near_cell = no_cell;
     for (int y = job.y0; y < job.y1; ++y) {
         for (int x = job.x0; x < job.x1; ++x) {
             Sampler sampler(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
@@ -153,9 +192,8 @@ void look_rows(const detail::TileJob& job, Events& events) {
                 const Vec3f direction =
                     camera.direction(static_cast<float>(x) + (static_cast<float>(k % side) + 0.5f) * step,
                                      static_cast<float>(y) + (static_cast<float>(k / side) + 0.5f) * step);
-                sum = sum + (job.is_cut
-                                 ? cut_radiance(job, scene, direction, near_cell, sampler, events)
-                                 : radiance(job, scene, camera.origin, direction, job.start_cell, sampler, events));
+                sum = sum + (job.is_cut ? cut_radiance<T>(job, scene, direction, near_cell, sampler, events)
+                                        : radiance(job, scene, eye, direction, job.start_cell, sampler, events));
             }
             store(job, x, y, (step * step) * sum);
         }
@@ -266,11 +304,17 @@ void counted(const Job& job, const Body& body) {
 }
 
 void lambert_tile(const detail::TileJob& job) {
-    counted(job, [&](auto& events) { lambert_rows(job, events); });
+    counted(job, [&](auto& events) {
+        if (job.is_double) lambert_rows<double>(job, events);
+        else lambert_rows<float>(job, events);
+    });
 }
 
 void look_tile(const detail::TileJob& job) {
-    counted(job, [&](auto& events) { look_rows(job, events); });
+    counted(job, [&](auto& events) {
+        if (job.is_double) look_rows<double>(job, events);
+        else look_rows<float>(job, events);
+    });
 }
 
 void rays_float(const detail::RayJob& job) {

@@ -92,11 +92,31 @@ double Oracle::plane_distance(Vec3d point, accel::SourceFaceId face) const {
     return std::abs(dot(f.normal, point) - f.offset);
 }
 
-Image trace_by_oracle(const accel::SceneView& scene, const Camera& camera, int samples_per_pixel) {
+namespace {
+
+/// What is seen along one ray by a lamp at the eye. Where a floor mirrors, a second ray starts at the point that the
+/// first one met, and the lamp seems to shine along both.
+Vec3f lambert_by_oracle(const accel::SceneView& scene, const Oracle& oracle, Vec3d origin, Vec3d direction,
+                        float mirror_floor) {
+    const auto hit = oracle.trace(origin, direction);
+    if (!hit) return {1, 0, 1};
+    const accel::SourceFace& face = scene.source_faces[index(hit->source_face)];
+    if (face.surface == accel::Surface::Sky) return sky_colour(Look(), vec_cast<float>(direction));
+    const Vec3d normal = oracle.normal(hit->source_face);
+    const double cosine = -dot(normal, normalized(direction));
+    const Vec3f own = static_cast<float>(cosine) * colour_of(scene, face);
+    if (!(mirror_floor > 0) || face.surface != accel::Surface::Floor || !(normal.z > 0)) return own;
+    const Vec3d point = origin + hit->distance * normalized(direction);
+    const Vec3d reflected = direction - (2 * dot(direction, normal)) * normal;
+    return (1 - mirror_floor) * own + mirror_floor * lambert_by_oracle(scene, oracle, point, reflected, 0);
+}
+
+}  // namespace
+
+Image trace_by_oracle(const accel::SceneView& scene, const Camera& camera, int samples_per_pixel, float mirror_floor) {
     const CameraFrame frame = make_frame(camera);
     (void)start_cell(scene, frame);
     const Oracle oracle(scene);
-    const Look look;
     const int side = std::max(1, static_cast<int>(std::ceil(std::sqrt(std::max(1, samples_per_pixel)))));
     Image image(camera.width, camera.height);
     for (int y = 0; y < image.height; ++y) {
@@ -106,16 +126,8 @@ Image trace_by_oracle(const accel::SceneView& scene, const Camera& camera, int s
                 const Vec3f direction = frame.direction(
                     static_cast<float>(x) + (static_cast<float>(k % side) + 0.5f) / static_cast<float>(side),
                     static_cast<float>(y) + (static_cast<float>(k / side) + 0.5f) / static_cast<float>(side));
-                const auto hit = oracle.trace(vec_cast<double>(frame.origin), vec_cast<double>(direction));
-                Vec3f colour = {1, 0, 1};
-                if (hit) {
-                    const accel::SourceFace& face = scene.source_faces[index(hit->source_face)];
-                    const double cosine =
-                        -dot(oracle.normal(hit->source_face), normalized(vec_cast<double>(direction)));
-                    colour = face.surface == accel::Surface::Sky ? sky_colour(look, direction)
-                                                                 : static_cast<float>(cosine) * colour_of(scene, face);
-                }
-                sum = sum + colour;
+                sum = sum + lambert_by_oracle(scene, oracle, vec_cast<double>(frame.origin),
+                                              vec_cast<double>(direction), mirror_floor);
             }
             const Vec3f mean = (1.0f / static_cast<float>(side * side)) * sum;
             float* pixel =

@@ -50,9 +50,10 @@ private:
     std::vector<Vec3d> vertices_;
 };
 
-/// The picture that the camera sees by the oracle, lit like `Shading::Lambert`, on the calling thread.
-/// Cost: pixels times faces. \throws as `trace`
-[[nodiscard]] Image trace_by_oracle(const accel::SceneView& scene, const Camera& camera, int samples_per_pixel = 1);
+/// The picture that the camera sees by the oracle, lit like `Shading::Lambert`, on the calling thread. mirror_floor:
+/// share of their light that floors reflect. Cost: pixels times faces. \throws as `trace`
+[[nodiscard]] Image trace_by_oracle(const accel::SceneView& scene, const Camera& camera, int samples_per_pixel = 1,
+                                    float mirror_floor = 0);
 
 /// A tracer's answers against the oracle's. A ray counts as agreeing if both name the same source face.
 struct Agreement {

@@ -20,7 +20,8 @@ ENFILADE_HD Vec3f colour_of(const accel::SceneView& scene, const accel::SourceFa
 }
 
 /// The unit normal on the light's side of where a walk ended.
-ENFILADE_HD Vec3f normal_of(const accel::SceneView& scene, const WalkEnd<float>& end) {
+template <class T>
+ENFILADE_HD Vec3f normal_of(const accel::SceneView& scene, const WalkEnd<T>& end) {
     if (end.exit == Exit::Floor) return {0, 0, 1};
     if (end.exit == Exit::Ceiling) return {0, 0, -1};
     const float ex = scene.section_x[end.next_section] - scene.section_x[end.section];
@@ -30,12 +31,13 @@ ENFILADE_HD Vec3f normal_of(const accel::SceneView& scene, const WalkEnd<float>&
 }
 
 /// Lambert's cosine for a lamp at the eye: one root and one division.
-ENFILADE_HD float headlight_cosine(const accel::SceneView& scene, const Ray<float>& ray, const WalkEnd<float>& end) {
-    const float d2 = dot(ray.direction, ray.direction);
-    if (end.exit != Exit::Side) return magnitude(ray.direction.z) / root(d2);
-    const float ex = scene.section_x[end.next_section] - scene.section_x[end.section];
-    const float ey = scene.section_y[end.next_section] - scene.section_y[end.section];
-    return end.facing / root((ex * ex + ey * ey) * d2);
+template <class T>
+ENFILADE_HD float headlight_cosine(const accel::SceneView& scene, const Ray<T>& ray, const WalkEnd<T>& end) {
+    const T d2 = dot(ray.direction, ray.direction);
+    if (end.exit != Exit::Side) return static_cast<float>(magnitude(ray.direction.z) / root(d2));
+    const T ex = T(scene.section_x[end.next_section]) - T(scene.section_x[end.section]);
+    const T ey = T(scene.section_y[end.next_section]) - T(scene.section_y[end.section]);
+    return static_cast<float>(end.facing / root((ex * ex + ey * ey) * d2));
 }
 
 ENFILADE_HD Vec3f sky_colour(const Look& look, Vec3f direction) {

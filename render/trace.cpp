@@ -67,6 +67,7 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
     job.samples_a_side = std::max(1, static_cast<int>(std::ceil(std::sqrt(std::max(1, options.samples_per_pixel)))));
     job.mirror_floor = options.mirror_floor;
     job.packets = options.packets;
+    job.is_double = options.precision == Precision::Double;
     job.is_cut = options.cut_z.has_value();
     if (job.is_cut) {
         job.cut_z = static_cast<float>(*options.cut_z);

@@ -134,8 +134,8 @@ TEST_P(Visible, DoesNotDependOnOrderOrKnownCells) {
     const std::vector<std::uint8_t> unknown = segments.seen(view, false);
     EXPECT_EQ(segments.seen(view, false, sorted), unknown);
     for (std::size_t i = 0; i < segments.count(); ++i)
-        if (known[i] != unknown[i])
-            EXPECT_TRUE(is_doubtful(oracle, segments.p(i), segments.q(i), error_band(view))) << "segment " << i;
+        EXPECT_TRUE(known[i] == unknown[i] || is_doubtful(oracle, segments.p(i), segments.q(i), error_band(view)))
+            << "segment " << i;
 }
 
 // A lamp's ray to a point of a surface is not stopped by that surface: where the cell is known, never; on levels also
@@ -156,7 +156,7 @@ TEST_P(Visible, ReachesPointsOnTheFacesOfTheirCell) {
         if (hit.exit == Exit::Floor) q.z = last.z_floor;
         if (hit.exit == Exit::Ceiling) q.z = last.z_ceiling;
         if (hit.exit != Exit::Side) {
-            const Vec3d centre = test::centre_of(view, index(hit.cell));
+            const Vec3d centre = test::centre_of(view, number(hit.cell));
             q = {q.x + 1e-3 * (centre.x - q.x), q.y + 1e-3 * (centre.y - q.y), q.z};
             if (hit.cell != static_cast<accel::CellId>(cell)) continue;
             ++levels;
