@@ -84,6 +84,7 @@ struct LaneKernels {
     int lanes;                            ///< floats in a register
     void (*simd_tile)(const TileJob&);    ///< Lambert; to rgb or rgba
     void (*packet_tile)(const TileJob&);  ///< the same
+    void (*fill_tile)(const TileJob&);    ///< the limit: no tracing but of its first ray, whose face fills the tile
     void (*nearest)(const StreamJob&);
     void (*visible)(const SegmentJob&);
 };

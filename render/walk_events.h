@@ -25,6 +25,9 @@ struct NoEvents {
     ENFILADE_HD void leaked() {}
     ENFILADE_HD void crossed_glass() {}
     ENFILADE_HD void crossed(std::uint32_t) {}
+    ENFILADE_HD void began_tile() {}
+    ENFILADE_HD void split_tile() {}
+    ENFILADE_HD void filled_tile(std::uint64_t) {}
 };
 
 /// What is counted of many rays. A packet's steps count once, whatever number of rays it stands for.
@@ -51,6 +54,9 @@ struct RayStats {
     ENFILADE_HD void leaked() { ++leaks; }
     ENFILADE_HD void crossed_glass() { ++glass; }
     ENFILADE_HD void crossed(std::uint32_t) {}
+    ENFILADE_HD void began_tile() { ++tiles; }
+    ENFILADE_HD void split_tile() { ++splits; }
+    ENFILADE_HD void filled_tile(std::uint64_t pixels) { filled += pixels; }
     ENFILADE_HD void add(const RayStats& other) {
         rays += other.rays;
         cells += other.cells;

@@ -1,0 +1,116 @@
+// The loops of many rays at once, by Highway: this file is compiled once for every instruction set, and the best one
+// that the machine has is chosen at run time.
+
+// Sets that add nothing here would only cost time to compile.
+#include <hwy/detect_targets.h>
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/lanes/lanes.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+#include "render/framebuffer.h"
+#include "render/kernel.h"
+#include "render/shade.h"
+#include "render/walk.h"
+
+// Without registers of several floats the scalar tracer is faster.
+#if HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render {
+namespace HWY_NAMESPACE {
+const detail::LaneKernels* kernel_set() { return nullptr; }
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render
+HWY_AFTER_NAMESPACE();
+#else
+
+// In the order in which they stand on each other.
+#include "render/lanes/sixteen-inl.h"
+//
+#include "render/lanes/leave-inl.h"
+//
+#include "render/lanes/walk-inl.h"
+//
+#include "render/lanes/fill-inl.h"
+//
+#include "render/lanes/shade-inl.h"
+//
+#include "render/lanes/picture-inl.h"
+//
+#include "render/lanes/packet-inl.h"
+//
+#include "render/lanes/stream-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render {
+namespace HWY_NAMESPACE {
+
+template <class Job, class Body>
+HWY_INLINE void counted(const Job& job, const Body& body) {
+    NoEvents none;
+    if (job.stats != nullptr) body(*job.stats);
+    else body(none);
+}
+
+void simd_tile(const detail::TileJob& job) {
+    const accel::SceneView scene = *job.scene;
+    counted(job, [&](auto& events) HWY_ATTR {
+        trace_blocks(job, scene, Bundle{job.start_cell}, {job.x0, job.y0, job.x1, job.y1}, events);
+    });
+}
+
+void packet_tile(const detail::TileJob& job) {
+    const accel::SceneView scene = *job.scene;
+    counted(job, [&](auto& events) HWY_ATTR {
+        Packets packets(job, scene, events);
+        for (int y = job.y0; y < job.y1; y += job.packets.largest)
+            for (int x = job.x0; x < job.x1; x += job.packets.largest)
+                packets.trace({x, y, job.packets.largest}, Bundle{job.start_cell});
+    });
+}
+
+/// The whole tile as if its first ray's face filled it.
+void fill_tile(const detail::TileJob& job) {
+    const CameraFrame& camera = *job.camera;
+    const Vec3f d = camera.direction(static_cast<float>(job.x0) + 0.5f, static_cast<float>(job.y0) + 0.5f);
+    NoEvents events;
+    Vec3f throughput = {1, 1, 1};
+    const WalkEnd<float> end =
+        walk(*job.scene, make_ray_unchecked(camera.origin, d), job.start_cell, NoLimit{}, throughput, events);
+    Layers layers;
+    layers.layer[layers.count++] = {false, 1, -normal_of(*job.scene, end),
+                                    colour_of(*job.scene, source_face_of(*job.scene, end.target))};
+    fill(job, {job.x0, job.y0, job.x1, job.y1}, layers);
+}
+
+void nearest(const detail::StreamJob& job) {
+    counted(job, [&](auto& events) HWY_ATTR { nearest_rays(job, events); });
+}
+
+void visible(const detail::SegmentJob& job) {
+    counted(job, [&](auto& events) HWY_ATTR { visible_segments(job, events); });
+}
+
+const detail::LaneKernels* kernel_set() {
+    static const detail::LaneKernels kernels = {
+        hwy::TargetName(HWY_TARGET), lane_count, simd_tile, packet_tile, fill_tile, nearest, visible};
+    return &kernels;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+#if HWY_ONCE
+namespace enfilade::render {
+
+HWY_EXPORT(kernel_set);
+
+const detail::LaneKernels* detail::lane_kernels() { return HWY_DYNAMIC_DISPATCH(kernel_set)(); }
+
+}  // namespace enfilade::render
+#endif

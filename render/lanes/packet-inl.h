@@ -1,0 +1,156 @@
+// Packets: a tile of the image is bounded by corner rays. Where the corners of a tile leave a cell by one face, so do
+// all its rays, for faces and cells are convex: the tile goes on whole, or is filled. One step decides for four
+// quarters at once, by the sixteen corner rays that they have.
+
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render {
+namespace HWY_NAMESPACE {
+
+/// A square of pixels that is cut off by the image's end.
+struct Tile {
+    int x, y, side;
+};
+
+template <class Events>
+class Packets {
+public:
+    Packets(const detail::TileJob& job, const accel::SceneView& scene, Events& events)
+        : job_(job), scene_(scene), events_(events) {}
+
+    /// Traces a tile from where its rays are.
+    void trace(const Tile& tile, Bundle bundle) {
+        if (tile.side <= job_.packets.smallest) return trace_blocks(job_, scene_, bundle, clipped(tile), events_);
+        events_.began_tile();
+        Bits corners = 0;
+        Rays16 rays = corner_rays(tile, bundle, corners);
+        const std::uint64_t most_steps = scene_.cells.count + 16;
+        for (std::uint64_t step = 0; step < most_steps; ++step) {
+            const accel::Cell& cell = scene_.cells[bundle.cell];
+            events_.entered_cell(cell.section_count);
+            way_count_ = 0;
+            const Bits alone = leave_cell16(scene_, rays, cell, corners, *this);
+            if (alone != 0 || way_count_ != 1) break;
+            const Way way = ways_[0];
+            if (way.target.is_portal()) {
+                go_on(way, bundle);
+            } else if (!meets_mirror(way, bundle)) {
+                return fill_tile(clipped(tile), way, bundle);
+            } else {
+                reflect(way, bundle);
+                rays = mirrored(rays, broadcast(bundle.mirror_level));
+            }
+        }
+        events_.split_tile();
+        split(tile, bundle);
+    }
+
+    HWY_INLINE void operator()(const Way& way, const Crossings16&) const {
+        if (way_count_ < rays_at_once) ways_[way_count_++] = way;
+    }
+
+private:
+    static constexpr Bits quarter_bits = 0xfu;
+
+    [[nodiscard]] Rectangle clipped(const Tile& tile) const {
+        return {tile.x, tile.y, tile.x + tile.side < job_.x1 ? tile.x + tile.side : job_.x1,
+                tile.y + tile.side < job_.y1 ? tile.y + tile.side : job_.y1};
+    }
+
+    /// Through the centres of the pixels at the corners of the four quarters; lanes 4 q to 4 q + 3 belong to quarter q.
+    /// Quarters beyond the image have none.
+    Rays16 corner_rays(const Tile& tile, const Bundle& bundle, Bits& corners) const {
+        HWY_ALIGN float x[rays_at_once];
+        HWY_ALIGN float y[rays_at_once];
+        const int half = tile.side / 2;
+        for (int q = 0; q < 4; ++q) {
+            const Rectangle at = clipped({tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half});
+            if (at.x0 < at.x1 && at.y0 < at.y1) corners |= quarter_bits << (4 * q);
+            const float x0 = static_cast<float>(at.x0) + 0.5f, x1 = static_cast<float>(at.x1) - 0.5f;
+            const float y0 = static_cast<float>(at.y0) + 0.5f, y1 = static_cast<float>(at.y1) - 0.5f;
+            x[4 * q] = x[4 * q + 2] = x0;
+            x[4 * q + 1] = x[4 * q + 3] = x1;
+            y[4 * q] = y[4 * q + 1] = y0;
+            y[4 * q + 2] = y[4 * q + 3] = y1;
+        }
+        const Vec3f o = job_.camera->origin;
+        const Rays16 rays =
+            make_rays({broadcast(o.x), broadcast(o.y), broadcast(o.z)}, directions(*job_.camera, load(x), load(y)));
+        return bundle.is_mirrored ? mirrored(rays, broadcast(bundle.mirror_level)) : rays;
+    }
+
+    [[nodiscard]] bool meets_mirror(const Way& way, const Bundle& bundle) const {
+        return !bundle.is_mirrored && is_mirror(job_, way, scene_.source_faces[way.target.bits]);
+    }
+
+    void go_on(const Way& way, Bundle& bundle) {
+        if (way.target.is_glass()) {
+            bundle.tint = bundle.tint * tint_of(scene_, bundle.cell, way.exit, way.face);
+            events_.crossed_glass();
+        }
+        bundle.cell = static_cast<std::uint32_t>(way.target.neighbour());
+    }
+
+    /// What a face adds, seen by the bundle.
+    [[nodiscard]] Layer layer_of(const Way& way, const Bundle& bundle) const {
+        const accel::SourceFace& face = scene_.source_faces[way.target.bits];
+        const float turn = bundle.is_mirrored ? -1.0f : 1.0f;
+        if (face.surface == accel::Surface::Sky) return {true, turn, {}, bundle.tint};
+        const Vec3f n = outward_normal(scene_, way);
+        return {false, turn, {n.x, n.y, turn * n.z}, bundle.tint * colour_of(scene_, face)};
+    }
+
+    void reflect(const Way& way, Bundle& bundle) const {
+        Layer floor = layer_of(way, bundle);
+        floor.scale = (1 - job_.mirror_floor) * floor.scale;
+        bundle.layers.layer[bundle.layers.count++] = floor;
+        bundle.tint = job_.mirror_floor * bundle.tint;
+        bundle.is_mirrored = true;
+        bundle.mirror_level = scene_.cells[bundle.cell].z_floor;
+    }
+
+    void fill_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
+        Layers layers = bundle.layers;
+        layers.layer[layers.count++] = layer_of(way, bundle);
+        fill(job_, at, layers);
+        events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));
+    }
+
+    /// Quarters whose corners agree go on by themselves, the others from this cell.
+    void split(const Tile& tile, const Bundle& bundle) {
+        const int way_count = way_count_;
+        Way ways[rays_at_once];
+        for (int i = 0; i < way_count; ++i) ways[i] = ways_[i];
+        const int half = tile.side / 2;
+        for (int q = 0; q < 4; ++q) {
+            const Tile quarter = {tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half};
+            const Rectangle at = clipped(quarter);
+            if (at.x0 >= at.x1 || at.y0 >= at.y1) continue;
+            const Bits bits = quarter_bits << (4 * q);
+            const Way* one = nullptr;
+            for (int i = 0; i < way_count; ++i)
+                if ((ways[i].rays & bits) == bits) one = &ways[i];
+            Bundle part = bundle;
+            if (one == nullptr) {
+                trace(quarter, part);
+            } else if (one->target.is_portal()) {
+                go_on(*one, part);
+                trace(quarter, part);
+            } else if (!meets_mirror(*one, part)) {
+                fill_tile(at, *one, part);
+            } else {
+                reflect(*one, part);
+                trace(quarter, part);
+            }
+        }
+    }
+
+    const detail::TileJob& job_;
+    const accel::SceneView& scene_;
+    Events& events_;
+    mutable Way ways_[rays_at_once];
+    mutable int way_count_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render
+HWY_AFTER_NAMESPACE();
