@@ -10,8 +10,12 @@ namespace enfilade::tools {
 using render::Vec3d;
 
 namespace {
-/// To what float holds, so that every tracer is asked for the same ray.
-Vec3d rounded(Vec3d v) { return render::vec_cast<double>(render::vec_cast<float>(v)); }
+/// To what float holds, so that every tracer is asked for the same ray. Through memory: the vectoriser of GCC 12 drops
+/// the way to float and back where it meets two of them side by side.
+Vec3d rounded(Vec3d v) {
+    const volatile float x = static_cast<float>(v.x), y = static_cast<float>(v.y), z = static_cast<float>(v.z);
+    return {x, y, z};
+}
 
 /// How much of a cell's width random points keep from its sides.
 constexpr double keep = 0.01;

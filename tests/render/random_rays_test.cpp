@@ -16,7 +16,7 @@ std::vector<RayQuery> random_rays(const accel::SceneView& scene, std::size_t cou
     std::vector<RayQuery> rays;
     while (rays.size() < count) {
         const auto cell = static_cast<std::uint32_t>(random() % scene.cells.size());
-        Vec3d d = vec_cast<double>(vec_cast<float>(test::random_direction(random)));
+        Vec3d d = test::rounded_to_float(test::random_direction(random));
         if (flat) d.z *= 0x1p-8;
         rays.push_back({test::random_point(scene, cell, random), d, static_cast<accel::CellId>(cell)});
     }
@@ -100,15 +100,14 @@ TEST_P(Agreeing, WithTheOracleFromPointsOnFaces) {
     std::vector<RayQuery> second;
     std::vector<accel::SourceFaceId> started_on;
     for (std::size_t i = 0; i < first.size(); ++i) {
-        Vec3d p =
-            vec_cast<double>(vec_cast<float>(first[i].origin + hits[i].distance * normalized(first[i].direction)));
+        Vec3d p = test::rounded_to_float(first[i].origin + hits[i].distance * normalized(first[i].direction));
         const accel::Cell& cell = view.cells[index(hits[i].cell)];
         if (hits[i].exit == Exit::Floor) p.z = cell.z_floor;
         if (hits[i].exit == Exit::Ceiling) p.z = cell.z_ceiling;
         const Vec3d normal = oracle.normal(hits[i].source_face);
         Vec3d d = test::random_direction(random);
         if (dot(d, normal) < 0) d = -d;
-        d = vec_cast<double>(vec_cast<float>(d + 0.05 * normal));
+        d = test::rounded_to_float(d + 0.05 * normal);
         second.push_back({p, d, hits[i].cell});
         started_on.push_back(hits[i].source_face);
     }

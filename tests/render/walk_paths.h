@@ -7,6 +7,7 @@
 
 #include "accel/scene.h"
 #include "render/walk.h"
+#include "tests/support/rounded_to_float.h"
 
 namespace enfilade::test {
 
@@ -68,8 +69,7 @@ inline render::Vec3d random_point(const accel::SceneView& scene, std::uint32_t c
     const double x = double{scene.section_x[a]} + s * (double{scene.section_x[b]} - double{scene.section_x[a]});
     const double y = double{scene.section_y[a]} + s * (double{scene.section_y[b]} - double{scene.section_y[a]});
     const double z = double{cell.z_floor} + unit(random) * (double{cell.z_ceiling} - double{cell.z_floor});
-    return {static_cast<float>(centre.x + t * (x - centre.x)), static_cast<float>(centre.y + t * (y - centre.y)),
-            static_cast<float>(z)};
+    return rounded_to_float(render::Vec3d{centre.x + t * (x - centre.x), centre.y + t * (y - centre.y), z});
 }
 
 }  // namespace enfilade::test

@@ -1,0 +1,175 @@
+// Pictures of all tracers against the scalar one's and the oracle's, pixel by pixel, in scenes where every face has a
+// colour of its own (picture_judge.h).
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "accel/assemble.h"
+#include "render/trace.h"
+#include "tests/support/coloured_scene.h"
+#include "tests/support/picture_judge.h"
+#include "tests/support/synthetic_scene.h"
+#include "tests/support/tracer_variants.h"
+#include "tests/support/trying_cameras.h"
+
+namespace enfilade::render {
+namespace {
+
+using test::PictureVerdict;
+using test::TracerVariant;
+using test::TryingCamera;
+
+struct NamedScene {
+    std::string name;
+    accel::SceneInput input;
+};
+
+void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
+
+std::vector<NamedScene> scenes() {
+    return {
+        {"straight", test::synthetic_office({.rooms_per_row = 3, .rows = 4, .storeys = 2})},
+        {"closed", test::synthetic_office({.rooms_per_row = 3, .rows = 2, .doors = false})},
+        {"turned", test::synthetic_office({.rooms_per_row = 4, .rows = 3, .storeys = 3, .turn = 0.3})},
+        {"diagonal", test::synthetic_office({.rooms_per_row = 3, .rows = 2, .turn = 0.785398163397448})},
+        {"bent", test::synthetic_office({.rooms_per_row = 6, .rows = 4, .turn = 0.0002})},
+        {"wide", test::synthetic_office({.rooms_per_row = 40, .rows = 2, .turn = 1.1})},
+        {"corridor", test::synthetic_corridor(40)},
+    };
+}
+
+Image picture(const accel::SceneView& scene, const Camera& camera, Tracer tracer, PacketSizes packets) {
+    const accel::SerialExecutor here;
+    TraceOptions options;
+    options.tracer = tracer;
+    options.packets = packets;
+    options.shading = Shading::Lambert;
+    options.executor = &here;
+    return trace(scene, camera, options);
+}
+
+Framebuffer frame_of(const accel::SceneView& scene, const CameraFrame& frame, accel::CellId start, int width,
+                     int height, Tracer tracer, PacketSizes packets) {
+    const accel::SerialExecutor here;
+    Framebuffer framebuffer(width, height);
+    LambertOptions options;
+    options.tracer = tracer;
+    options.packets = packets;
+    trace_lambert(scene, frame, start, options, here, framebuffer);
+    return framebuffer;
+}
+
+/// Other faces inside the band: few, except from where every ray passes an edge.
+void expect_few(const PictureVerdict& verdict, const char* what) {
+    EXPECT_LE(static_cast<double>(verdict.inside_band), 8 + 100e-6 * static_cast<double>(verdict.pixels))
+        << what << verdict.text();
+}
+
+class TracersAgree : public testing::TestWithParam<NamedScene> {
+protected:
+    TracersAgree() : scene_(accel::assemble(test::with_own_colours(GetParam().input))), judge_(scene_.view()) {}
+
+    [[nodiscard]] std::vector<TryingCamera> cameras(std::uint64_t seed) const {
+        return test::trying_cameras(scene_.view(), seed);
+    }
+
+    static std::string where(const TryingCamera& trying, const TracerVariant& variant) {
+        return std::string(variant.name) + ", camera " + trying.name + ", " +
+               test::text_of(make_frame(trying.camera), trying.camera.width, trying.camera.height) + ": ";
+    }
+
+    accel::Scene scene_;
+    test::PictureJudge judge_;
+};
+
+TEST_P(TracersAgree, OnTheFloatPictureWithTheScalarTracer) {
+    const accel::SceneView& view = scene_.view();
+    for (const TracerVariant& variant : test::tracer_variants) {
+        PictureVerdict from_inside;
+        for (const TryingCamera& trying : cameras(5)) {
+            const CameraFrame frame = make_frame(trying.camera);
+            const PictureVerdict verdict =
+                judge_.compare(frame, start_cell(view, frame), picture(view, trying.camera, Tracer::Scalar, {}),
+                               picture(view, trying.camera, variant.tracer, variant.packets));
+            EXPECT_TRUE(verdict.is_right()) << where(trying, variant) << verdict.text();
+            if (!trying.on_border) from_inside.add(verdict);
+        }
+        expect_few(from_inside, variant.name);
+    }
+}
+
+TEST_P(TracersAgree, OnTheFramebufferWithTheScalarTracer) {
+    const accel::SceneView& view = scene_.view();
+    for (const TracerVariant& variant : test::tracer_variants) {
+        PictureVerdict from_inside;
+        for (const TryingCamera& trying : cameras(6)) {
+            const int width = trying.camera.width, height = trying.camera.height;
+            const CameraFrame frame = make_frame(trying.camera);
+            const accel::CellId start = start_cell(view, frame);
+            const PictureVerdict verdict =
+                judge_.compare(frame, start, frame_of(view, frame, start, width, height, Tracer::Scalar, {}),
+                               frame_of(view, frame, start, width, height, variant.tracer, variant.packets));
+            EXPECT_TRUE(verdict.is_right()) << where(trying, variant) << verdict.text();
+            if (!trying.on_border) from_inside.add(verdict);
+        }
+        expect_few(from_inside, variant.name);
+    }
+}
+
+// Neither cells nor formulas are shared with the oracle.
+TEST_P(TracersAgree, WithTheOraclesPicture) {
+    const accel::Scene clear = accel::assemble(test::with_clear_panes(test::with_own_colours(GetParam().input)));
+    const accel::SceneView& view = clear.view();
+    for (TryingCamera& trying : cameras(7)) {
+        if (trying.on_border) continue;
+        trying.camera.width = std::min(trying.camera.width, 41);
+        trying.camera.height = std::min(trying.camera.height, 41);
+        const CameraFrame frame = make_frame(trying.camera);
+        const Image expected = trace_by_oracle(view, trying.camera);
+        for (const Tracer tracer : {Tracer::Scalar, Tracer::Simd, Tracer::Packet}) {
+            const TracerVariant variant = {"oracle", tracer, {16, 4}};
+            const PictureVerdict verdict = judge_.compare(frame, start_cell(view, frame), expected,
+                                                          picture(view, trying.camera, tracer, variant.packets));
+            EXPECT_TRUE(verdict.is_right()) << int(tracer) << where(trying, variant) << verdict.text();
+        }
+    }
+}
+
+// tinybvh #168, three-mesh-bvh #169: pixels exactly on vertices and edges.
+TEST_P(TracersAgree, OnRaysThroughTheCornersOfEveryWall) {
+    const accel::SceneView& view = scene_.view();
+    for (const TracerVariant& variant : test::tracer_variants)
+        for (std::uint32_t c = 0; c < view.cells.size(); c += 3)
+            for (const test::AlignedFrame& f : test::aligned_frames(view, c, 5)) {
+                const PictureVerdict verdict = judge_.compare(
+                    f.frame, f.start, frame_of(view, f.frame, f.start, f.width, f.height, Tracer::Scalar, {}),
+                    frame_of(view, f.frame, f.start, f.width, f.height, variant.tracer, variant.packets));
+                EXPECT_TRUE(verdict.is_right()) << variant.name << ", cell " << c << ", "
+                                                << test::text_of(f.frame, f.width, f.height) << verdict.text();
+            }
+}
+
+TEST_P(TracersAgree, OnAMillionPixels) {
+    const accel::SceneView& view = scene_.view();
+    for (TryingCamera& trying : cameras(8)) {
+        if (trying.name != "in room") continue;
+        trying.camera.width = trying.camera.height = 1024;
+        const CameraFrame frame = make_frame(trying.camera);
+        const accel::CellId start = start_cell(view, frame);
+        const Framebuffer expected = frame_of(view, frame, start, 1024, 1024, Tracer::Scalar, {});
+        for (std::size_t i = 0; i < test::tracer_variants.size(); i += 3) {
+            const TracerVariant& variant = test::tracer_variants[i];
+            const PictureVerdict verdict = judge_.compare(
+                frame, start, expected, frame_of(view, frame, start, 1024, 1024, variant.tracer, variant.packets));
+            EXPECT_TRUE(verdict.is_right()) << where(trying, variant) << verdict.text();
+            expect_few(verdict, variant.name);
+        }
+        break;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TracersAgree, testing::ValuesIn(scenes()),
+                         [](const auto& scene) { return scene.param.name; });
+
+}  // namespace
+}  // namespace enfilade::render
