@@ -7,6 +7,7 @@
 #include "accel/assemble.h"
 #include "render/trace.h"
 #include "tests/support/coloured_scene.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/picture_judge.h"
 #include "tests/support/synthetic_scene.h"
 #include "tests/support/tracer_variants.h"
@@ -23,8 +24,6 @@ struct NamedScene {
     std::string name;
     accel::SceneInput input;
 };
-
-void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
 
 std::vector<NamedScene> scenes() {
     return {
@@ -59,15 +58,22 @@ Framebuffer frame_of(const accel::SceneView& scene, const CameraFrame& frame, ac
     return framebuffer;
 }
 
-/// Other faces inside the band: few, except from where every ray passes an edge.
+/// Other faces inside the band: few, except from where every ray passes an edge. Some 20 per million with a fused
+/// multiply-add, some 200 without.
 void expect_few(const PictureVerdict& verdict, const char* what) {
-    EXPECT_LE(static_cast<double>(verdict.inside_band), 8 + 100e-6 * static_cast<double>(verdict.pixels))
+    EXPECT_LE(static_cast<double>(verdict.inside_band), 8 + 400e-6 * static_cast<double>(verdict.pixels))
         << what << verdict.text();
 }
 
-class TracersAgree : public testing::TestWithParam<NamedScene> {
+/// The scene of this name, and the instruction set.
+using Case = std::tuple<NamedScene, test::InstructionSet>;
+
+class TracersAgree : public testing::TestWithParam<Case> {
 protected:
-    TracersAgree() : scene_(accel::assemble(test::with_own_colours(GetParam().input))), judge_(scene_.view()) {}
+    TracersAgree()
+        : set_(std::get<1>(GetParam())),
+          scene_(accel::assemble(test::with_own_colours(std::get<0>(GetParam()).input))),
+          judge_(scene_.view()) {}
 
     [[nodiscard]] std::vector<TryingCamera> cameras(std::uint64_t seed) const {
         return test::trying_cameras(scene_.view(), seed);
@@ -78,6 +84,7 @@ protected:
                test::text_of(make_frame(trying.camera), trying.camera.width, trying.camera.height) + ": ";
     }
 
+    test::UsingInstructionSet set_;
     accel::Scene scene_;
     test::PictureJudge judge_;
 };
@@ -118,7 +125,8 @@ TEST_P(TracersAgree, OnTheFramebufferWithTheScalarTracer) {
 
 // Neither cells nor formulas are shared with the oracle.
 TEST_P(TracersAgree, WithTheOraclesPicture) {
-    const accel::Scene clear = accel::assemble(test::with_clear_panes(test::with_own_colours(GetParam().input)));
+    const accel::Scene clear =
+        accel::assemble(test::with_clear_panes(test::with_own_colours(std::get<0>(GetParam()).input)));
     const accel::SceneView& view = clear.view();
     for (TryingCamera& trying : cameras(7)) {
         if (trying.on_border) continue;
@@ -138,8 +146,9 @@ TEST_P(TracersAgree, WithTheOraclesPicture) {
 // tinybvh #168, three-mesh-bvh #169: pixels exactly on vertices and edges.
 TEST_P(TracersAgree, OnRaysThroughTheCornersOfEveryWall) {
     const accel::SceneView& view = scene_.view();
+    const auto cell_step = static_cast<std::uint32_t>(view.cells.size() / 25);
     for (const TracerVariant& variant : test::tracer_variants)
-        for (std::uint32_t c = 0; c < view.cells.size(); c += 3)
+        for (std::uint32_t c = 0; c < view.cells.size(); c += 1 + cell_step)
             for (const test::AlignedFrame& f : test::aligned_frames(view, c, 5)) {
                 const PictureVerdict verdict = judge_.compare(
                     f.frame, f.start, frame_of(view, f.frame, f.start, f.width, f.height, Tracer::Scalar, {}),
@@ -168,8 +177,11 @@ TEST_P(TracersAgree, OnAMillionPixels) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, TracersAgree, testing::ValuesIn(scenes()),
-                         [](const auto& scene) { return scene.param.name; });
+INSTANTIATE_TEST_SUITE_P(Scenes, TracersAgree,
+                         testing::Combine(testing::ValuesIn(scenes()), testing::ValuesIn(test::instruction_sets())),
+                         [](const auto& one) {
+                             return std::get<0>(one.param).name + "_" + std::get<1>(one.param).name;
+                         });
 
 }  // namespace
 }  // namespace enfilade::render
