@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 #include "render/isa.h"
@@ -10,12 +11,26 @@
 
 namespace enfilade::render {
 
+/// Memory that begins at a line of the cache: stores of whole registers then cross none.
+template <class T>
+struct CacheAligned {
+    using value_type = T;
+    static constexpr std::align_val_t alignment = std::align_val_t(64);
+
+    CacheAligned() = default;
+    template <class U>
+    CacheAligned(const CacheAligned<U>&) {}  // NOLINT: allocators convert
+    T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
+    void deallocate(T* memory, std::size_t) { ::operator delete(memory, alignment); }
+    friend bool operator==(const CacheAligned&, const CacheAligned&) { return true; }
+};
+
 /// Rows from the top, 32 bits a pixel: red in the lowest byte, then green, blue, and 255. A channel is the square root
 /// of its linear light (gamma 2, near sRGB, one instruction), times 255, rounded; light beyond 1 is clipped.
 struct Framebuffer {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> rgba;  ///< [width * height]
+    std::vector<std::uint32_t, CacheAligned<std::uint32_t>> rgba;  ///< [width * height]
 
     Framebuffer() = default;
     Framebuffer(int width_, int height_)

@@ -32,24 +32,44 @@ HWY_INLINE Affine along(const CameraFrame& camera, Vec3f normal) {
     return {dot(normal, camera.corner), dot(normal, camera.du), dot(normal, camera.dv)};
 }
 
-/// Of directions in a row: d . d = a + x (b + x c), x in pixels.
-struct RowLength {
-    float a, b, c;
-};
-HWY_INLINE RowLength row_length(const CameraFrame& camera, int y) {
-    const Vec3f d = camera.corner + (static_cast<float>(y) + 0.5f) * camera.dv;
-    return {dot(d, d), 2 * dot(d, camera.du), dot(camera.du, camera.du)};
-}
+/// d . d of the camera's directions: a polynomial over the image, and in a row a + x (b + x c).
+struct Lengths {
+    float of_corner, by_x, by_y, by_xx, by_xy, by_yy;
 
-/// 255 times the square roots of three channels as pixels. What comes in is not negative.
+    explicit Lengths(const CameraFrame& camera)
+        : of_corner(dot(camera.corner, camera.corner)),
+          by_x(2 * dot(camera.corner, camera.du)),
+          by_y(2 * dot(camera.corner, camera.dv)),
+          by_xx(dot(camera.du, camera.du)),
+          by_xy(2 * dot(camera.du, camera.dv)),
+          by_yy(dot(camera.dv, camera.dv)) {}
+    [[nodiscard]] HWY_INLINE float a(int row) const {
+        const float y = static_cast<float>(row) + 0.5f;
+        return of_corner + y * (by_y + y * by_yy);
+    }
+    [[nodiscard]] HWY_INLINE float b(int row) const { return by_x + (static_cast<float>(row) + 0.5f) * by_xy; }
+    [[nodiscard]] HWY_INLINE float c() const { return by_xx; }
+};
+
+/// What is drawn on: a job's picture, and what all its tiles share.
+struct Canvas {
+    const detail::TileJob& job;
+    Lengths lengths;
+    explicit Canvas(const detail::TileJob& job_) : job(job_), lengths(*job_.camera) {}
+};
+
+/// Adding it to a number below 2^22 rounds that to an integer and leaves it in the lowest bits.
+inline constexpr float rounds_to_integer = 0x1p23f;
+
+/// Channels of up to 255, each with `rounds_to_integer` added, as pixels. What that number leaves in the highest byte
+/// is lost in the shifts and in the 255 there.
 template <class F>
 HWY_INLINE auto packed(F du, hn::Vec<hn::RebindToFloat<F>> r, hn::Vec<hn::RebindToFloat<F>> g,
                        hn::Vec<hn::RebindToFloat<F>> b) {
-    const hn::RebindToSigned<F> di;
-    const auto red = hn::BitCast(du, hn::ConvertTo(di, r));
-    const auto green = hn::ShiftLeft<8>(hn::BitCast(du, hn::ConvertTo(di, g)));
-    const auto blue = hn::ShiftLeft<16>(hn::BitCast(du, hn::ConvertTo(di, b)));
-    return hn::Or(hn::Or(red, green), hn::Or(blue, hn::Set(du, 0xff000000u)));
+    const auto red = hn::BitCast(du, r);
+    const auto green = hn::ShiftLeft<8>(hn::BitCast(du, g));
+    const auto blue = hn::ShiftLeft<16>(hn::BitCast(du, b));
+    return hn::Or3(hn::Or(red, hn::Set(du, 0xff000000u)), green, blue);
 }
 
 /// The root of what is not negative, to 12 bits or better.
@@ -65,7 +85,8 @@ template <class VF>
 HWY_INLINE auto encoded_lanes(VF r, VF g, VF b) {
     const hn::DFromV<VF> d;
     const auto channel = [&](VF v) HWY_ATTR {
-        return hn::MulAdd(hn::Min(quick_root(v), hn::Set(d, 1.0f)), hn::Set(d, 255.0f), hn::Set(d, 0.5f));
+        return hn::MulAdd(hn::Min(quick_root(v), hn::Set(d, 1.0f)), hn::Set(d, 255.0f),
+                          hn::Set(d, rounds_to_integer));
     };
     return packed(hn::RebindToUnsigned<hn::DFromV<VF>>(), channel(r), channel(g), channel(b));
 }
@@ -109,24 +130,34 @@ HWY_INLINE std::uint32_t* pixel_rgba(const detail::TileJob& job, int x, int y) {
     return job.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x;
 }
 
+/// Stores the first n lanes and touches nothing behind them (a blended store may write what it has read there).
+template <class F>
+HWY_INLINE void store_first(int n, hn::Vec<F> v, F d, std::uint32_t* out) {
+    if (n == static_cast<int>(hn::Lanes(d))) return hn::StoreU(v, d, out);
+    HWY_ALIGN std::uint32_t part[rays_at_once];
+    hn::Store(v, d, part);
+    std::memcpy(out, part, static_cast<std::size_t>(n) * sizeof *out);
+}
+
 /// Any layers, to either kind of picture.
 template <class F>
-HWY_NOINLINE void fill_layers(F d, const detail::TileJob& job, const Rectangle& at, const Layers& layers) {
+HWY_NOINLINE void fill_layers(F d, const Canvas& canvas, const Rectangle& at, const Layers& layers) {
+    const detail::TileJob& job = canvas.job;
     const int lanes = static_cast<int>(hn::Lanes(d));
     const hn::RebindToUnsigned<F> du;
+    const auto lc = hn::Set(d, canvas.lengths.c());
     for (int y = at.y0; y < at.y1; ++y) {
-        const RowLength length = row_length(*job.camera, y);
+        const auto la = hn::Set(d, canvas.lengths.a(y)), lb = hn::Set(d, canvas.lengths.b(y));
         for (int x0 = at.x0; x0 < at.x1; x0 += lanes) {
             const auto x = centres(d, x0);
             const auto squared =
-                hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, length.c), hn::Set(d, length.b)), hn::Set(d, length.a));
+                hn::MulAdd(x, hn::MulAdd(x, lc, lb), la);
             const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
             auto r = hn::Zero(d), g = hn::Zero(d), b = hn::Zero(d);
             for (int k = 0; k < layers.count; ++k) add_layer(d, job, layers.layer[k], y, x, inverse, r, g, b);
             const int n = at.x1 - x0 < lanes ? at.x1 - x0 : lanes;
             if (job.rgb == nullptr) {
-                const auto mask = hn::FirstN(du, static_cast<std::size_t>(n));
-                hn::BlendedStore(encoded_lanes(r, g, b), mask, du, pixel_rgba(job, x0, y));
+                store_first(n, encoded_lanes(r, g, b), du, pixel_rgba(job, x0, y));
             } else if (n == lanes) {
                 hn::StoreInterleaved3(r, g, b, d, pixel_rgb(job, x0, y));
             } else {
@@ -140,18 +171,18 @@ HWY_NOINLINE void fill_layers(F d, const detail::TileJob& job, const Rectangle& 
 
 /// One face into a framebuffer: root(cosine) times the roots of its colour's channels.
 template <class F>
-HWY_INLINE void fill_face(F d, const detail::TileJob& job, const Rectangle& at, const Layer& face) {
+HWY_INLINE void fill_face(F d, const Canvas& canvas, const Rectangle& at, const Layer& face) {
+    const detail::TileJob& job = canvas.job;
     const int lanes = static_cast<int>(hn::Lanes(d));
     const hn::RebindToUnsigned<F> du;
     const Affine cosine = along(*job.camera, face.normal);
-    const auto r = hn::Set(d, 255.0f * root(face.scale.x));
-    const auto g = hn::Set(d, 255.0f * root(face.scale.y));
-    const auto b = hn::Set(d, 255.0f * root(face.scale.z));
-    const auto half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
-    const auto by_x = hn::Set(d, cosine.by_x);
+    // The cosine's root is at most 1 by what is lost in approximating it, which rounding to 255 takes off.
+    const auto full = [&](float colour) HWY_ATTR { return hn::Set(d, 255.0f * (colour < 1 ? root(colour) : 1.0f)); };
+    const auto r = full(face.scale.x), g = full(face.scale.y), b = full(face.scale.z);
+    const auto rounding = hn::Set(d, rounds_to_integer);
+    const auto by_x = hn::Set(d, cosine.by_x), lc = hn::Set(d, canvas.lengths.c());
     for (int y = at.y0; y < at.y1; ++y) {
-        const RowLength length = row_length(*job.camera, y);
-        const auto la = hn::Set(d, length.a), lb = hn::Set(d, length.b), lc = hn::Set(d, length.c);
+        const auto la = hn::Set(d, canvas.lengths.a(y)), lb = hn::Set(d, canvas.lengths.b(y));
         const auto start = hn::Set(d, cosine.row(y));
         std::uint32_t* out = pixel_rgba(job, at.x0, y);
         auto x = centres(d, at.x0);
@@ -159,8 +190,9 @@ HWY_INLINE void fill_face(F d, const detail::TileJob& job, const Rectangle& at, 
         const auto pixels = [&]() HWY_ATTR {
             const auto squared = hn::MulAdd(x, hn::MulAdd(x, lc, lb), la);
             const auto lit = hn::Mul(hn::MulAdd(x, by_x, start), hn::ApproximateReciprocalSqrt(squared));
-            const auto bright = hn::Min(quick_root(lit), one);
-            return packed(du, hn::MulAdd(bright, r, half), hn::MulAdd(bright, g, half), hn::MulAdd(bright, b, half));
+            const auto bright = quick_root(lit);
+            return packed(du, hn::MulAdd(bright, r, rounding), hn::MulAdd(bright, g, rounding),
+                          hn::MulAdd(bright, b, rounding));
         };
         int left = at.x1 - at.x0;
         for (; left >= lanes; left -= lanes) {
@@ -168,19 +200,21 @@ HWY_INLINE void fill_face(F d, const detail::TileJob& job, const Rectangle& at, 
             out += lanes;
             x = hn::Add(x, step);
         }
-        if (left > 0) hn::BlendedStore(pixels(), hn::FirstN(du, static_cast<std::size_t>(left)), du, out);
+        if (left > 0) store_first(left, pixels(), du, out);
     }
 }
 
 /// Fills a rectangle.
-HWY_INLINE void fill(const detail::TileJob& job, const Rectangle& at, const Layers& layers) {
-    const bool is_plain = job.rgb == nullptr && layers.count == 1 && !layers.layer[0].is_sky;
-    const int width = at.x1 - at.x0;
-    if (is_plain && (width <= 4 || lane_count <= 4)) fill_face(hn::CappedTag<float, 4>(), job, at, layers.layer[0]);
-    else if (is_plain && (width <= 8 || lane_count <= 8))
-        fill_face(hn::CappedTag<float, 8>(), job, at, layers.layer[0]);
-    else if (is_plain) fill_face(D(), job, at, layers.layer[0]);
-    else fill_layers(hn::CappedTag<float, 4>(), job, at, layers);
+HWY_INLINE void fill(const Canvas& canvas, const Rectangle& at, const Layers& layers) {
+    const auto by_width = [&](const auto& body) HWY_ATTR {
+        const int width = at.x1 - at.x0;
+        if (width <= 4 || lane_count <= 4) body(hn::CappedTag<float, 4>());
+        else if (width <= 8 || lane_count <= 8) body(hn::CappedTag<float, 8>());
+        else body(D());
+    };
+    const bool is_plain = canvas.job.rgb == nullptr && layers.count == 1 && !layers.layer[0].is_sky;
+    if (is_plain) by_width([&](auto d) HWY_ATTR { fill_face(d, canvas, at, layers.layer[0]); });
+    else by_width([&](auto d) HWY_ATTR { fill_layers(d, canvas, at, layers); });
 }
 
 }  // namespace HWY_NAMESPACE

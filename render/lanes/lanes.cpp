@@ -64,7 +64,8 @@ void simd_tile(const detail::TileJob& job) {
 void packet_tile(const detail::TileJob& job) {
     const accel::SceneView scene = *job.scene;
     counted(job, [&](auto& events) HWY_ATTR {
-        Packets packets(job, scene, events);
+        const Canvas canvas(job);
+        Packets packets(canvas, scene, events);
         for (int y = job.y0; y < job.y1; y += job.packets.largest)
             for (int x = job.x0; x < job.x1; x += job.packets.largest)
                 packets.trace({x, y, job.packets.largest}, Bundle{job.start_cell});
@@ -82,7 +83,7 @@ void fill_tile(const detail::TileJob& job) {
     Layers layers;
     layers.layer[layers.count++] = {false, 1, -normal_of(*job.scene, end),
                                     colour_of(*job.scene, source_face_of(*job.scene, end.target))};
-    fill(job, {job.x0, job.y0, job.x1, job.y1}, layers);
+    fill(Canvas(job), {job.x0, job.y0, job.x1, job.y1}, layers);
 }
 
 void nearest(const detail::StreamJob& job) {

@@ -14,8 +14,8 @@ struct Tile {
 template <class Events>
 class Packets {
 public:
-    Packets(const detail::TileJob& job, const accel::SceneView& scene, Events& events)
-        : job_(job), scene_(scene), events_(events) {}
+    Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
+        : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
 
     /// Traces a tile from where its rays are.
     void trace(const Tile& tile, Bundle bundle) {
@@ -111,7 +111,7 @@ private:
     void fill_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
         Layers layers = bundle.layers;
         layers.layer[layers.count++] = layer_of(way, bundle);
-        fill(job_, at, layers);
+        fill(canvas_, at, layers);
         events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));
     }
 
@@ -144,6 +144,7 @@ private:
         }
     }
 
+    const Canvas& canvas_;
     const detail::TileJob& job_;
     const accel::SceneView& scene_;
     Events& events_;
