@@ -73,6 +73,7 @@ std::string row_text(const BenchRow& row) {
     std::string against;
     if (row.reference_value) against = row.reference + " " + number(*row.reference_value);
     if (row.ratio) against += ", ratio " + number(*row.ratio);
+    if (row.spread) against += " +-" + number(*row.spread * 100) + " %";
     const std::optional<bool> met = row.met();
     const std::string verdict = !row.goal ? ""
                                           : row.goal->text() + (!met   ? "  not measured"
@@ -102,6 +103,7 @@ nlohmann::ordered_json bench_json(const Bench& bench) {
         entry["reference"] = row.reference.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reference);
         entry["reference_value"] = optional(row.reference_value);
         entry["ratio"] = optional(row.ratio);
+        entry["spread"] = optional(row.spread);
         entry["goal"] = row.goal ? nlohmann::ordered_json(row.goal->text()) : nlohmann::ordered_json();
         entry["met"] = optional(row.met());
         json["rows"].push_back(std::move(entry));

@@ -41,6 +41,7 @@ struct BenchRow {
     std::optional<double> reference_value = {};  ///< in the same unit, from the same run
     std::optional<double> ratio = {};            ///< how many times better than the reference, > 1 is better
     std::optional<Goal> goal = {};
+    std::optional<double> spread = {};  ///< of the ratio between rounds (contest.h), a share of it
 
     /// Whether the goal is reached; nothing where there is none, or where the reference is absent.
     [[nodiscard]] std::optional<bool> met() const;

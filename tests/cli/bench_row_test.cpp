@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bench.h"
+#include "tools/contest.h"
 
 namespace enfilade::tools {
 namespace {
@@ -40,7 +41,8 @@ TEST(Bench, WritesEveryFieldOfARow) {
                .reference = "Embree",
                .reference_value = 10.0,
                .ratio = 5.0,
-               .goal = ratio_at_least(5)});
+               .goal = ratio_at_least(5),
+               .spread = 0.02});
     const nlohmann::json row = nlohmann::json::parse(bench_json(bench).dump())["rows"][0];
     EXPECT_EQ(row, (nlohmann::json{{"bench", "cells"},
                                    {"row", "primary rays"},
@@ -51,6 +53,7 @@ TEST(Bench, WritesEveryFieldOfARow) {
                                    {"reference", "Embree"},
                                    {"reference_value", 10.0},
                                    {"ratio", 5.0},
+                                   {"spread", 0.02},
                                    {"goal", "ratio >= 5"},
                                    {"met", true}}));
 }
@@ -68,6 +71,17 @@ TEST(Bench, DuelTakesTheRatioOfNeighbours) {
     EXPECT_EQ(a_calls, 4);
     EXPECT_EQ(b_calls, 4);
     EXPECT_GT(result.b_over_a, 0);
+}
+
+TEST(Contest, RunsAllInTurnAndComparesThemWithinRounds) {
+    std::string order;
+    const std::vector<std::function<void()>> competitors = {[&] { order += 'a'; }, [&] { order += 'b'; }};
+    const Contest contest(3, competitors, Clock::Wall);
+    EXPECT_EQ(order, "ababbaab");
+    EXPECT_NEAR(contest.faster(0, 1) * contest.faster(1, 0), 1, 1e-9);
+    EXPECT_EQ(contest.faster(0, 0), 1);
+    EXPECT_EQ(contest.spread(0, 0), 0);
+    EXPECT_GE(contest.spread(0, 1), 0);
 }
 
 }  // namespace
