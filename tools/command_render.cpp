@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -5,17 +7,18 @@
 #include "accel/scene_file.h"
 #include "base/error.h"
 #include "render/executor.h"
-#include "render/image_file.h"
 #include "render/oracle.h"
 #include "render/trace.h"
 #include "tools/bench.h"
+#include "tools/check_report.h"
 #include "tools/commands.h"
 #include "tools/exit_code.h"
-#include "tools/output_file.h"
+#include "tools/picture_files.h"
 #include "tools/progress.h"
 #include "tools/ray_report.h"
 #include "tools/trace_flags.h"
 #include "tools/view.h"
+#include "tools/view_file.h"
 
 namespace enfilade::tools {
 
@@ -39,34 +42,63 @@ std::array<int, 2> parse_size(const std::string& text) {
     return size;
 }
 
-/// Tells a progress bar how many chunks are done.
+/// Tells a progress bar how many chunks are done, of one picture of several.
 class WatchedExecutor final : public accel::Executor {
 public:
-    WatchedExecutor(const accel::Executor& executor, Progress& progress) : executor_(executor), progress_(progress) {}
+    WatchedExecutor(const accel::Executor& executor, Progress& progress, std::size_t picture, std::size_t picture_count)
+        : executor_(executor), progress_(progress), done_(double(picture)), all_(double(picture_count)) {}
     void run(std::size_t chunk_count, const std::function<void(std::size_t)>& body) const override {
         std::atomic<std::size_t> done = 0;
         executor_.run(chunk_count, [&](std::size_t chunk) {
             body(chunk);
-            progress_.fraction(double(++done) / double(chunk_count));
+            progress_.fraction((done_ + double(++done) / double(chunk_count)) / all_);
         });
     }
 
 private:
     const accel::Executor& executor_;
     Progress& progress_;
+    double done_;  ///< pictures before this one
+    double all_;
 };
 
-View chosen_view(const RenderOptions& options, const accel::SceneView& scene) {
+/// A picture to make, and what became of it.
+struct Shot {
+    std::string name;  ///< in the view file; empty without one
+    View view;
+    std::optional<accel::CellId> cell;  ///< of the view file
+    double seconds = 0;
+};
+
+Shot chosen_shot(const RenderOptions& options, const accel::SceneView& scene) {
     const auto [width, height] = parse_size(options.size);
-    View view = !options.room.empty()
-                    ? room_view(scene, options.room, width, height)
-                    : named_view(scene, options.camera.empty() ? "dollhouse" : options.camera, width, height);
-    if (options.fov_deg) view.camera.fov_deg = *options.fov_deg;
-    return view;
+    return {{},
+            !options.room.empty()
+                ? room_view(scene, options.room, width, height)
+                : named_view(scene, options.camera.empty() ? "dollhouse" : options.camera, width, height),
+            {}};
+}
+
+std::vector<Shot> chosen_shots(const RenderOptions& options, const accel::SceneView& scene, const Console& console) {
+    std::vector<Shot> shots;
+    if (options.views.empty()) {
+        shots.push_back(chosen_shot(options, scene));
+    } else {
+        const ViewFile file = read_views(options.views, scene);
+        if (!file.relocated.empty() && !console.quiet()) console.warn(file.warning(options.views));
+        for (const SavedView& view : file.views) shots.push_back({view.name, {view.camera, {}}, view.cell});
+    }
+    const auto [width, height] = parse_size(options.size);
+    for (Shot& shot : shots) {
+        shot.view.camera.width = width;
+        shot.view.camera.height = height;
+        if (options.fov_deg) shot.view.camera.fov_deg = *options.fov_deg;
+    }
+    return shots;
 }
 
 render::Image render_view(const RenderOptions& options, const TracerChoice& choice, const accel::SceneView& scene,
-                          const View& view, Progress& progress, render::RayStats& stats) {
+                          const View& view, const accel::Executor& executor, render::RayStats& stats) {
     if (choice.is_oracle) {
         if (view.cut_z)
             throw InputError("F112", "",
@@ -74,8 +106,6 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
                              "--camera X,Y,Z:X,Y,Z.");
         return render::trace_by_oracle(scene, view.camera, int(options.samples * options.samples));
     }
-    const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
-    const WatchedExecutor watched(*cores, progress);
     render::TraceOptions trace;
     trace.tracer = choice.tracer;
     trace.precision = choice.precision;
@@ -86,58 +116,111 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     trace.cut_z = view.cut_z;
     // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
     if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
-    trace.executor = &watched;
+    trace.executor = &executor;
     trace.stats = &stats;
     return render::trace(scene, view.camera, trace);
+}
+
+/// What one run made.
+struct Pictures {
+    std::vector<Shot> shots;
+    std::vector<std::filesystem::path> paths;
+    std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
+    render::RayStats stats;
+
+    [[nodiscard]] std::uint64_t pixels() const {
+        const render::Camera& camera = shots.front().view.camera;
+        return shots.size() * std::uint64_t(camera.width) * std::uint64_t(camera.height);
+    }
+    [[nodiscard]] double seconds() const {
+        double sum = 0;
+        for (const Shot& shot : shots) sum += shot.seconds;
+        return sum;
+    }
+};
+
+Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice, const Console& console) {
+    Pictures made;
+    Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
+    const accel::Scene scene = accel::open(options.scene);
+    std::copy_n(scene.view().origin, 3, made.origin.begin());
+    progress.next();
+    made.shots = chosen_shots(options, scene.view(), console);
+    std::vector<std::string> names;
+    for (const Shot& shot : made.shots) names.push_back(shot.name);
+    PictureFiles files(options.output, names);
+    const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
+    for (std::size_t k = 0; k < made.shots.size(); ++k) {
+        Shot& shot = made.shots[k];
+        const WatchedExecutor watched(*cores, progress, k, made.shots.size());
+        render::Image image;
+        shot.seconds =
+            seconds_of([&] { image = render_view(options, choice, scene.view(), shot.view, watched, made.stats); });
+        files.write(k, image);
+    }
+    progress.next();
+    files.commit();
+    made.paths = files.paths();
+    return made;
+}
+
+/// Eye, target and field of view as a view file has them.
+void add_camera(nlohmann::ordered_json& json, const Shot& shot, const std::array<double, 3>& origin) {
+    const auto point = [&](const render::Vec3d& p) {
+        return nlohmann::ordered_json{p.x + origin[0], p.y + origin[1], p.z + origin[2]};
+    };
+    json["eye"] = point(shot.view.camera.eye);
+    json["target"] = point(shot.view.camera.target);
+    json["fov_deg"] = shot.view.camera.fov_deg;
+    if (shot.cell) json["cell"] = index(*shot.cell);
+    json["seconds"] = shot.seconds;
+}
+
+nlohmann::ordered_json render_json(const RenderOptions& options, const TracerChoice& choice, const Pictures& made) {
+    nlohmann::ordered_json json = {
+        {"command", "render"}, {"input", options.scene.string()}, {"output", options.output.string()}};
+    json["tracer"] = choice.name();
+    json["real"] = choice.precision == render::Precision::Double ? "double" : "float";
+    if (choice.has_packets())
+        json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
+    json["mirror_floor"] = choice.mirror_floor;
+    json["shading"] = options.shading;
+    json["width"] = made.shots.front().view.camera.width;
+    json["height"] = made.shots.front().view.camera.height;
+    if (options.views.empty()) {
+        add_camera(json, made.shots.front(), made.origin);
+    } else {
+        json["views"] = options.views.string();
+        json["seconds"] = made.seconds();
+        json["pictures"] = nlohmann::ordered_json::array();
+        for (std::size_t k = 0; k < made.shots.size(); ++k) {
+            nlohmann::ordered_json picture = {{"name", made.shots[k].name}, {"file", made.paths[k].string()}};
+            add_camera(picture, made.shots[k], made.origin);
+            json["pictures"].push_back(std::move(picture));
+        }
+    }
+    if (!choice.is_oracle) json["statistics"] = ray_json(made.stats, made.pixels());
+    return json;
 }
 
 }  // namespace
 
 int run_render(const RenderOptions& options, const Console& console) {
-    const std::string extension = options.output.extension().string();
-    if (extension != ".png" && extension != ".exr")
-        throw InputError("F113", options.output.string(), "Pictures are written as .png or .exr: end the name so.");
-    parse_size(options.size);  // a wrong flag is said before the work
+    check_picture_name(options.output);  // a wrong flag is said before the work
+    const auto [width, height] = parse_size(options.size);
     const TracerChoice choice = tracer_choice(options);
-    const std::filesystem::path output = output_path(options.output);
-
-    View view;
-    render::RayStats stats;
-    double seconds = 0;
-    {
-        Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
-        const accel::Scene scene = accel::open(options.scene);
-        progress.next();
-        view = chosen_view(options, scene.view());
-        render::Image image;
-        seconds = seconds_of([&] { image = render_view(options, choice, scene.view(), view, progress, stats); });
-        progress.next();
-        render::write_image(image, output);
-    }
-    const std::uint64_t pixels = std::uint64_t(view.camera.width) * std::uint64_t(view.camera.height);
+    const Pictures made = make_pictures(options, choice, console);
     if (console.json()) {
-        const auto point = [](const render::Vec3d& p) { return nlohmann::ordered_json{p.x, p.y, p.z}; };
-        nlohmann::ordered_json json = {
-            {"command", "render"}, {"input", options.scene.string()}, {"output", options.output.string()}};
-        json["tracer"] = choice.name();
-        json["real"] = choice.precision == render::Precision::Double ? "double" : "float";
-        if (!choice.is_oracle && choice.tracer == render::Tracer::Packet)
-            json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
-        json["mirror_floor"] = choice.mirror_floor;
-        json["shading"] = options.shading;
-        json["width"] = view.camera.width;
-        json["height"] = view.camera.height;
-        json["eye"] = point(view.camera.eye);
-        json["target"] = point(view.camera.target);
-        json["fov_deg"] = view.camera.fov_deg;
-        json["seconds"] = seconds;
-        if (!choice.is_oracle) json["statistics"] = ray_json(stats, pixels);
-        console.print(json.dump(2) + '\n');
-    } else {
-        console.say(options.output.string() + ": " + std::to_string(view.camera.width) + " x " +
-                    std::to_string(view.camera.height) + " pixels in " + time_text(seconds) + '.');
-        if (options.stats && !choice.is_oracle) console.print(ray_report(stats, pixels));
+        console.print(dump(render_json(options, choice, made)));
+        return exit_ok;
     }
+    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    console.say(made.paths.front().string() +
+                (made.paths.size() == 1 ? ": " + size
+                                        : " to " + made.paths.back().filename().string() + ": " +
+                                              counted(made.paths.size(), "picture") + " of " + size) +
+                " in " + time_text(made.seconds()) + '.');
+    if (options.stats) console.print(ray_report(made.stats, made.pixels()));
     return exit_ok;
 }
 

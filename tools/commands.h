@@ -94,8 +94,9 @@ int run_info(const InfoOptions& options, const Console& console);
 
 struct RenderOptions {
     std::filesystem::path scene;
-    std::filesystem::path output;
-    std::string camera;  ///< empty: chosen by `room`, or the whole building
+    std::filesystem::path output;  ///< of several views: a folder, or a name with %02d
+    std::filesystem::path views;   ///< a file of views: a picture of each; empty: none
+    std::string camera;            ///< empty: chosen by `room`, or the whole building
     std::string room;
     std::string size = "1024x1024";
     std::string tracer;                       ///< empty: packets, or scalar where `real` is "double"

@@ -215,22 +215,33 @@ void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
 void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "render", "Render a picture of a scene.",
                                     "  enfilade render house.enf -o house.png --camera dollhouse\n"
-                                    "  enfilade render house.enf -o kitchen.png --room Kitchen",
+                                    "  enfilade render house.enf -o kitchen.png --room Kitchen\n"
+                                    "  enfilade render house.enf -o tour/ --views house.views.json",
                                     run_render);
     add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
-    add_needed(command, "-o,--output", options.output, "FILE", "the picture to write, .png or .exr (needed)");
+    add_needed(
+        command, "-o,--output", options.output, "FILE",
+        "the picture to write, .png or .exr; of several views a folder, like tour/, or a name with a number, like "
+        "tour-%02d.png (needed)");
     CLI::Option* camera = add_value(command, "--camera", options.camera, "VIEW", camera_help());
-    add_value(command, "--room", options.room, "NAME", "look into the room of this name or id, from inside it")
-        ->excludes(camera);
+    CLI::Option* room =
+        add_value(command, "--room", options.room, "NAME", "look into the room of this name or id, from inside it")
+            ->excludes(camera);
+    add_value(command, "--views", options.views, "FILE",
+              "a picture of each view of this file, as \"enfilade tour\" writes it (docs/views.schema.json)")
+        ->excludes(camera)
+        ->excludes(room);
     add_value(command, "--size", options.size, "WxH", "width and height in pixels (1024x1024)");
     add_value(command, "--fov-deg", options.fov_deg, "DEGREES", "field of view across the longer side (the view's own)")
         ->check(CLI::Range(1.0, 170.0));
-    add_value(command, "--tracer", options.tracer, "NAME",
-              "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
-              "of the picture; oracle: every face against every ray, slow (packet)")
+    add_value(
+        command, "--tracer", options.tracer, "NAME",
+        "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
+        "of the picture; oracle: every face against every ray, slow (packet)")
         ->check(CLI::IsMember({"scalar", "simd", "packet", "oracle"}));
-    add_value(command, "--real", options.real, "TYPE",
-              "float or double: the numbers in which rays walk; double is for the scalar tracer, and chooses it (float)")
+    add_value(
+        command, "--real", options.real, "TYPE",
+        "float or double: the numbers in which rays walk; double is for the scalar tracer, and chooses it (float)")
         ->check(CLI::IsMember({"float", "double"}));
     add_value(command, "--packets", options.packets, "LARGEST:SMALLEST",
               "packet tracer: pixels a side of the tiles that it begins with, and of those that it walks ray by ray "
@@ -244,9 +255,10 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(command, "--samples", options.samples, "N", "rays along each side of a pixel: 3 gives 9 a pixel (2)")
         ->check(CLI::Range(1u, 32u));
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
-    command->add_flag("--stats", options.stats,
-                      "say what happened to the rays: cells and sides a ray, packets, recoveries; with --json it is always "
-                      "there");
+    command->add_flag(
+        "--stats", options.stats,
+        "say what happened to the rays: cells and sides a ray, packets, recoveries; with --json it is always "
+        "there");
 }
 
 void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {

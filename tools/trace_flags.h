@@ -18,6 +18,8 @@ struct TracerChoice {
 
     /// As --tracer takes it.
     [[nodiscard]] const char* name() const;
+    /// Whether `packets` means something.
+    [[nodiscard]] bool has_packets() const { return !is_oracle && tracer == render::Tracer::Packet; }
 };
 
 /// Reads and checks the flags, before any work. Where no tracer is named, double precision chooses the scalar one, and
