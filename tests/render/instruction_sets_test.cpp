@@ -27,8 +27,8 @@ TEST(InstructionSets, AreTheMachinesBestAgainAfterwards) {
     const detail::LaneKernels* before = detail::lane_kernels();
     { const test::UsingInstructionSet last(sets.back()); }
     EXPECT_EQ(detail::lane_kernels(), before);
-    if (sets.size() > 1) {
-        EXPECT_EQ(before->name, sets[1].name);  // Highway counts from the best one
+    if (before != nullptr) {
+        EXPECT_EQ(before->name, sets.front().name);
     }
 }
 

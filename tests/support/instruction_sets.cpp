@@ -15,7 +15,7 @@ void choose(std::int64_t targets) {
 }  // namespace
 
 std::vector<InstructionSet> instruction_sets() {
-    std::vector<InstructionSet> sets = {{"best", 0}};
+    std::vector<InstructionSet> sets;
     // The sets that render/lanes compiles for; others would fall back to the scalar tracer.
     constexpr std::int64_t compiled = HWY_SSE4 | HWY_AVX2 | HWY_AVX3 | HWY_NEON;
     for (std::int64_t left = hwy::SupportedTargets() & compiled; left != 0; left &= left - 1) {

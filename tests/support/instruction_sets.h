@@ -12,8 +12,8 @@ struct InstructionSet {
     std::int64_t target;  ///< of Highway; 0: what the machine chooses
 };
 
-/// The machine's choice first, then every set it has, then none: the scalar fallback. Only the first in a build without
-/// Highway.
+/// Every set that the machine has, the one it chooses first, then none: the scalar fallback. In a build without Highway
+/// only "best", which is that fallback.
 [[nodiscard]] std::vector<InstructionSet> instruction_sets();
 
 /// Has `lane_kernels` choose this set while it lives.
