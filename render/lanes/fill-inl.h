@@ -85,16 +85,18 @@ template <class VF>
 HWY_INLINE auto encoded_lanes(VF r, VF g, VF b) {
     const hn::DFromV<VF> d;
     const auto channel = [&](VF v) HWY_ATTR {
-        return hn::MulAdd(hn::Min(quick_root(v), hn::Set(d, 1.0f)), hn::Set(d, 255.0f),
-                          hn::Set(d, rounds_to_integer));
+        return hn::MulAdd(hn::Min(quick_root(v), hn::Set(d, 1.0f)), hn::Set(d, 255.0f), hn::Set(d, rounds_to_integer));
     };
     return packed(hn::RebindToUnsigned<hn::DFromV<VF>>(), channel(r), channel(g), channel(b));
 }
 
+alignas(64) inline constexpr float centres_of_pixels[16] = {0.5f, 1.5f, 2.5f,  3.5f,  4.5f,  5.5f,  6.5f,  7.5f,
+                                                            8.5f, 9.5f, 10.5f, 11.5f, 12.5f, 13.5f, 14.5f, 15.5f};
+
 /// x of the pixels' centres, from x0 on.
 template <class F>
 HWY_INLINE hn::Vec<F> centres(F d, int x0) {
-    return hn::Add(hn::ConvertTo(d, hn::Iota(hn::RebindToSigned<F>(), x0)), hn::Set(d, 0.5f));
+    return hn::Add(hn::Load(d, centres_of_pixels), hn::Set(d, static_cast<float>(x0)));
 }
 
 /// What one layer adds to pixels of a row.
@@ -134,7 +136,7 @@ HWY_INLINE std::uint32_t* pixel_rgba(const detail::TileJob& job, int x, int y) {
 template <class F>
 HWY_INLINE void store_first(int n, hn::Vec<F> v, F d, std::uint32_t* out) {
     if (n == static_cast<int>(hn::Lanes(d))) return hn::StoreU(v, d, out);
-    HWY_ALIGN std::uint32_t part[rays_at_once];
+    HWY_ALIGN std::uint32_t part[16];
     hn::Store(v, d, part);
     std::memcpy(out, part, static_cast<std::size_t>(n) * sizeof *out);
 }
@@ -150,8 +152,7 @@ HWY_NOINLINE void fill_layers(F d, const Canvas& canvas, const Rectangle& at, co
         const auto la = hn::Set(d, canvas.lengths.a(y)), lb = hn::Set(d, canvas.lengths.b(y));
         for (int x0 = at.x0; x0 < at.x1; x0 += lanes) {
             const auto x = centres(d, x0);
-            const auto squared =
-                hn::MulAdd(x, hn::MulAdd(x, lc, lb), la);
+            const auto squared = hn::MulAdd(x, hn::MulAdd(x, lc, lb), la);
             const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
             auto r = hn::Zero(d), g = hn::Zero(d), b = hn::Zero(d);
             for (int k = 0; k < layers.count; ++k) add_layer(d, job, layers.layer[k], y, x, inverse, r, g, b);
@@ -180,12 +181,13 @@ HWY_INLINE void fill_face(F d, const Canvas& canvas, const Rectangle& at, const 
     const auto full = [&](float colour) HWY_ATTR { return hn::Set(d, 255.0f * (colour < 1 ? root(colour) : 1.0f)); };
     const auto r = full(face.scale.x), g = full(face.scale.y), b = full(face.scale.z);
     const auto rounding = hn::Set(d, rounds_to_integer);
+    const auto first = centres(d, at.x0);
     const auto by_x = hn::Set(d, cosine.by_x), lc = hn::Set(d, canvas.lengths.c());
     for (int y = at.y0; y < at.y1; ++y) {
         const auto la = hn::Set(d, canvas.lengths.a(y)), lb = hn::Set(d, canvas.lengths.b(y));
         const auto start = hn::Set(d, cosine.row(y));
         std::uint32_t* out = pixel_rgba(job, at.x0, y);
-        auto x = centres(d, at.x0);
+        auto x = first;
         const auto step = hn::Set(d, static_cast<float>(lanes));
         const auto pixels = [&]() HWY_ATTR {
             const auto squared = hn::MulAdd(x, hn::MulAdd(x, lc, lb), la);

@@ -27,7 +27,7 @@ HWY_AFTER_NAMESPACE();
 #else
 
 // In the order in which they stand on each other.
-#include "render/lanes/sixteen-inl.h"
+#include "render/lanes/lanes-inl.h"
 //
 #include "render/lanes/leave-inl.h"
 //
@@ -57,7 +57,7 @@ HWY_INLINE void counted(const Job& job, const Body& body) {
 void simd_tile(const detail::TileJob& job) {
     const accel::SceneView scene = *job.scene;
     counted(job, [&](auto& events) HWY_ATTR {
-        trace_blocks(job, scene, Bundle{job.start_cell}, {job.x0, job.y0, job.x1, job.y1}, events);
+        trace_blocks<32>(job, scene, Bundle{job.start_cell}, {job.x0, job.y0, job.x1, job.y1}, events);
     });
 }
 

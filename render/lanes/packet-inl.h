@@ -14,21 +14,26 @@ struct Tile {
 template <class Events>
 class Packets {
 public:
+    static constexpr int corner_count = 16;
+    static constexpr int tile_rays = 16;  ///< of blocks in the smallest tiles
+    using Corners = Rays<corner_count>;
+
     Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
         : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
 
     /// Traces a tile from where its rays are.
     void trace(const Tile& tile, Bundle bundle) {
-        if (tile.side <= job_.packets.smallest) return trace_blocks(job_, scene_, bundle, clipped(tile), events_);
+        if (tile.side <= job_.packets.smallest)
+            return trace_blocks<tile_rays>(job_, scene_, bundle, clipped(tile), events_);
         events_.began_tile();
         Bits corners = 0;
-        Rays16 rays = corner_rays(tile, bundle, corners);
+        Corners rays = corner_rays(tile, bundle, corners);
         const std::uint64_t most_steps = scene_.cells.count + 16;
         for (std::uint64_t step = 0; step < most_steps; ++step) {
             const accel::Cell& cell = scene_.cells[bundle.cell];
             events_.entered_cell(cell.section_count);
             way_count_ = 0;
-            const Bits alone = leave_cell16(scene_, rays, cell, corners, *this);
+            const Bits alone = leave_cell_together(scene_, rays, cell, corners, *this);
             if (alone != 0 || way_count_ != 1) break;
             const Way way = ways_[0];
             if (way.target.is_portal()) {
@@ -37,15 +42,15 @@ public:
                 return fill_tile(clipped(tile), way, bundle);
             } else {
                 reflect(way, bundle);
-                rays = mirrored(rays, broadcast(bundle.mirror_level));
+                rays = mirrored(rays, Floats<corner_count>(bundle.mirror_level));
             }
         }
         events_.split_tile();
         split(tile, bundle);
     }
 
-    HWY_INLINE void operator()(const Way& way, const Crossings16&) const {
-        if (way_count_ < rays_at_once) ways_[way_count_++] = way;
+    HWY_INLINE void operator()(const Way& way, const Crossings<corner_count>&) const {
+        if (way_count_ < corner_count) ways_[way_count_++] = way;
     }
 
 private:
@@ -58,9 +63,9 @@ private:
 
     /// Through the centres of the pixels at the corners of the four quarters; lanes 4 q to 4 q + 3 belong to quarter q.
     /// Quarters beyond the image have none.
-    Rays16 corner_rays(const Tile& tile, const Bundle& bundle, Bits& corners) const {
-        HWY_ALIGN float x[rays_at_once];
-        HWY_ALIGN float y[rays_at_once];
+    Corners corner_rays(const Tile& tile, const Bundle& bundle, Bits& corners) const {
+        HWY_ALIGN float x[corner_count];
+        HWY_ALIGN float y[corner_count];
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
             const Rectangle at = clipped({tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half});
@@ -72,10 +77,9 @@ private:
             y[4 * q] = y[4 * q + 1] = y0;
             y[4 * q + 2] = y[4 * q + 3] = y1;
         }
-        const Vec3f o = job_.camera->origin;
-        const Rays16 rays =
-            make_rays({broadcast(o.x), broadcast(o.y), broadcast(o.z)}, directions(*job_.camera, load(x), load(y)));
-        return bundle.is_mirrored ? mirrored(rays, broadcast(bundle.mirror_level)) : rays;
+        const Corners rays = make_rays(everywhere<corner_count>(job_.camera->origin),
+                                       directions(*job_.camera, load<corner_count>(x), load<corner_count>(y)));
+        return bundle.is_mirrored ? mirrored(rays, Floats<corner_count>(bundle.mirror_level)) : rays;
     }
 
     [[nodiscard]] bool meets_mirror(const Way& way, const Bundle& bundle) const {
@@ -118,7 +122,7 @@ private:
     /// Quarters whose corners agree go on by themselves, the others from this cell.
     void split(const Tile& tile, const Bundle& bundle) {
         const int way_count = way_count_;
-        Way ways[rays_at_once];
+        Way ways[corner_count];
         for (int i = 0; i < way_count; ++i) ways[i] = ways_[i];
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
@@ -148,7 +152,7 @@ private:
     const detail::TileJob& job_;
     const accel::SceneView& scene_;
     Events& events_;
-    mutable Way ways_[rays_at_once];
+    mutable Way ways_[corner_count];
     mutable int way_count_ = 0;
 };
 

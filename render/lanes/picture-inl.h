@@ -1,16 +1,21 @@
-// Blocks of 4 x 4 pixels, a ray each: the simd tracer, and what packets come down to.
+// Blocks of pixels, a ray each: the simd tracer, and what packets come down to.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
-inline constexpr int block_side = 4;
-
 /// Directions of rays through points of the image.
-HWY_INLINE Vec16 directions(const CameraFrame& camera, const F16& x, const F16& y) {
-    return {(broadcast(camera.corner.x) + x * broadcast(camera.du.x)) + y * broadcast(camera.dv.x),
-            (broadcast(camera.corner.y) + x * broadcast(camera.du.y)) + y * broadcast(camera.dv.y),
-            (broadcast(camera.corner.z) + x * broadcast(camera.du.z)) + y * broadcast(camera.dv.z)};
+template <int N>
+HWY_INLINE Points<N> directions(const CameraFrame& camera, const Floats<N>& x, const Floats<N>& y) {
+    using F = Floats<N>;
+    return {(F(camera.corner.x) + x * F(camera.du.x)) + y * F(camera.dv.x),
+            (F(camera.corner.y) + x * F(camera.du.y)) + y * F(camera.dv.y),
+            (F(camera.corner.z) + x * F(camera.du.z)) + y * F(camera.dv.z)};
+}
+
+template <int N>
+HWY_INLINE Points<N> everywhere(Vec3f p) {
+    return {Floats<N>(p.x), Floats<N>(p.y), Floats<N>(p.z)};
 }
 
 /// Where a bundle of rays from the camera is: through which cell, glass and mirror it has come.
@@ -22,106 +27,128 @@ struct Bundle {
     Layers layers;           ///< what it has gathered: the floor's own light
 };
 
-HWY_ALIGN inline constexpr float block_x[rays_at_once] = {0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f,
-                                                          0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f};
-HWY_ALIGN inline constexpr float block_y[rays_at_once] = {0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f,
-                                                          2.5f, 2.5f, 2.5f, 2.5f, 3.5f, 3.5f, 3.5f, 3.5f};
+/// A block is four pixels high, and as wide as its rays ask for; its rays go row by row.
+inline constexpr int block_height = 4;
+template <int N>
+inline constexpr int block_width = N / block_height;
 
-HWY_INLINE void store_block(const detail::TileJob& job, int x0, int y0, int width, int height, const Light16& light) {
+/// Centres of a block's pixels, from its corner.
+template <int N>
+struct BlockCentres {
+    alignas(64) float x[N];
+    alignas(64) float y[N];
+    constexpr BlockCentres() : x(), y() {
+        for (int i = 0; i < N; ++i) {
+            x[i] = static_cast<float>(i % block_width<N>) + 0.5f;
+            y[i] = static_cast<float>(i / block_width<N>) + 0.5f;
+        }
+    }
+};
+template <int N>
+inline constexpr BlockCentres<N> block_centres;
+
+template <int N>
+HWY_INLINE void store_block(const detail::TileJob& job, const Rectangle& at, const Light<N>& light) {
+    constexpr int block = block_width<N>;
+    const int width = at.x1 - at.x0;
     if (job.rgb == nullptr) {
-        HWY_ALIGN std::uint32_t pixels[rays_at_once];
-        for (int k = 0; k < vector_count; ++k)
+        HWY_ALIGN std::uint32_t pixels[N];
+        for (int k = 0; k < light.r.vectors; ++k)
             hn::Store(encoded_lanes(light.r.v[k], light.g.v[k], light.b.v[k]), DU(), pixels + k * lane_count);
-        if (HWY_LIKELY(width == block_side && height == block_side)) {
-            for (int y = 0; y < block_side; ++y)
-                std::memcpy(pixel_rgba(job, x0, y0 + y), pixels + y * block_side, block_side * sizeof *pixels);
+        if (HWY_LIKELY(width == block && at.y1 - at.y0 == block_height)) {
+            for (int y = 0; y < block_height; ++y)
+                std::memcpy(pixel_rgba(job, at.x0, at.y0 + y), pixels + y * block, sizeof *pixels * block);
             return;
         }
-        for (int y = 0; y < height; ++y)
-            std::memcpy(pixel_rgba(job, x0, y0 + y), pixels + y * block_side,
+        for (int y = at.y0; y < at.y1; ++y)
+            std::memcpy(pixel_rgba(job, at.x0, y), pixels + (y - at.y0) * block,
                         static_cast<std::size_t>(width) * sizeof *pixels);
         return;
     }
-    HWY_ALIGN float channels[3][rays_at_once];
+    HWY_ALIGN float channels[3][N];
     store(light.r, channels[0]);
     store(light.g, channels[1]);
     store(light.b, channels[2]);
-    for (int y = 0; y < height; ++y) {
-        float* p = pixel_rgb(job, x0, y0 + y);
+    for (int y = at.y0; y < at.y1; ++y) {
+        float* p = pixel_rgb(job, at.x0, y);
         for (int x = 0; x < width; ++x)
-            for (const auto& channel : channels) *p++ = channel[y * block_side + x];
+            for (const auto& channel : channels) *p++ = channel[(y - at.y0) * block + x];
     }
 }
 
-/// Traces the block's rays from the bundle's cell and writes their light.
-template <class Events>
-HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle, int x0,
-                            int y0, int width, int height, Events& events) {
-    const F16 x = broadcast(static_cast<float>(x0)) + load(block_x);
-    const F16 y = broadcast(static_cast<float>(y0)) + load(block_y);
-    Bits active = all_bits;
-    if (width < block_side || height < block_side) {
-        active = 0;
-        for (int i = 0; i < rays_at_once; ++i)
-            if (i % block_side < width && i / block_side < height) active |= 1u << i;
-    }
-    const Vec3f o = job.camera->origin;
-    const Vec16 d = directions(*job.camera, x, y);
-    Rays16 rays = make_rays({broadcast(o.x), broadcast(o.y), broadcast(o.z)}, d);
-    if (bundle.is_mirrored) rays = mirrored(rays, broadcast(bundle.mirror_level));
-    const F16 squared = dot16(d, d);
-    F16 inverse_length;
-    if (job.rgb == nullptr) {
-        for (int k = 0; k < vector_count; ++k) inverse_length.v[k] = hn::ApproximateReciprocalSqrt(squared.v[k]);
-    } else {
-        inverse_length = broadcast(1) / root_of(squared);
-    }
-    Seen16 seen{job, scene, &rays, broadcast(0), broadcast(0), broadcast(0), broadcast(0)};
-    seen.is_mirrored = bundle.is_mirrored;
-    Tints tints;
+/// Rays of a block that is cut off by the image's end.
+template <int N>
+HWY_INLINE Bits rays_within(const Rectangle& at) {
+    constexpr int block = block_width<N>;
+    if (HWY_LIKELY(at.x1 - at.x0 == block && at.y1 - at.y0 == block_height)) return all_bits<N>;
+    const Bits row = (Bits(1) << (at.x1 - at.x0)) - 1;
+    Bits rays = 0;
+    for (int y = 0; y < at.y1 - at.y0; ++y) rays |= row << (y * block);
+    return rays;
+}
+
+/// What the floors mirror, added to the light of the floors themselves.
+template <int N, class Events>
+HWY_NOINLINE void reflect_block(const Seen<N>& seen, const Floats<N>& inverse_length, Tints<N>& tints, Light<N>& light,
+                                Events& events) {
+    for (Bits left = seen.mirrors; left != 0; left &= left - 1) events.began_walk();
+    const Rays<N> rays = mirrored(seen.rays, seen.mirror_level);
+    Seen<N> reflected(seen.job, seen.scene, rays, true);
+    walk_together(seen.scene, rays, seen.mirror_groups, Unlimited<N>{}, tints, reflected, events);
+    const Light<N> more = light_of(reflected, inverse_length, tints);
+    const Floats<N> share(seen.job.mirror_floor), rest(1 - seen.job.mirror_floor);
+    light = choose_light(
+        seen.mirrors,
+        Light<N>{rest * light.r + share * more.r, rest * light.g + share * more.g, rest * light.b + share * more.b},
+        light);
+}
+
+/// Traces a block's rays from the bundle's cell and writes their light.
+template <int N, class Events>
+HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
+                            const Rectangle& at, Events& events) {
+    using F = Floats<N>;
+    const F x = F(static_cast<float>(at.x0)) + load<N>(block_centres<N>.x);
+    const F y = F(static_cast<float>(at.y0)) + load<N>(block_centres<N>.y);
+    const Points<N> d = directions(*job.camera, x, y);
+    Rays<N> rays = make_rays(everywhere<N>(job.camera->origin), d);
+    if (HWY_UNLIKELY(bundle.is_mirrored)) rays = mirrored(rays, F(bundle.mirror_level));
+    Seen<N> seen(job, scene, rays, bundle.is_mirrored);
+    Tints<N> tints;
     Groups groups;
+    const Bits active = rays_within<N>(at);
     groups.add(bundle.cell, active);
     for (Bits left = active; left != 0; left &= left - 1) events.began_walk();
-    walk16(scene, rays, groups, Unlimited{}, tints, seen, events);
-    Light16 light = light_of(seen, inverse_length, tints);
-    if (HWY_UNLIKELY(seen.mirrors != 0)) {
-        const F16 share = broadcast(job.mirror_floor), rest = broadcast(1 - job.mirror_floor);
-        const Light16 own = {rest * light.r, rest * light.g, rest * light.b};
-        const Bits which = seen.mirrors;
-        for (Bits left = which; left != 0; left &= left - 1) events.began_walk();
-        const Rays16 turned = mirrored(rays, load(seen.mirror_level));
-        Seen16 reflected{job, scene, &turned, broadcast(0), broadcast(0), broadcast(0), broadcast(0)};
-        reflected.is_mirrored = true;
-        Groups again = seen.mirror_groups;
-        walk16(scene, turned, again, Unlimited{}, tints, reflected, events);
-        const Light16 more = light_of(reflected, inverse_length, tints);
-        light.r = choose(which, own.r + share * more.r, light.r);
-        light.g = choose(which, own.g + share * more.g, light.g);
-        light.b = choose(which, own.b + share * more.b, light.b);
-    }
-    if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1}))) {
-        light.r = light.r * broadcast(bundle.tint.x);
-        light.g = light.g * broadcast(bundle.tint.y);
-        light.b = light.b * broadcast(bundle.tint.z);
-    }
+    walk_together(scene, rays, groups, Unlimited<N>{}, tints, seen, events);
+
+    const F squared = dot_lanes(d, d);
+    const F inverse_length = job.rgb == nullptr ? quick_inverse_root(squared) : F(1) / root_of(squared);
+    Light<N> light = light_of(seen, inverse_length, tints);
+    if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(seen, inverse_length, tints, light, events);
+    if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1})))
+        light = {light.r * F(bundle.tint.x), light.g * F(bundle.tint.y), light.b * F(bundle.tint.z)};
     for (int k = 0; k < bundle.layers.count; ++k) {
         // Only a floor lies before a mirrored bundle.
         const Layer& floor = bundle.layers.layer[k];
-        const F16 lit = magnitude_of(rays.direction.z) * inverse_length;
-        light.r = light.r + lit * broadcast(floor.scale.x);
-        light.g = light.g + lit * broadcast(floor.scale.y);
-        light.b = light.b + lit * broadcast(floor.scale.z);
+        const F lit = magnitude_of(rays.direction.z) * inverse_length;
+        light.r = light.r + lit * F(floor.scale.x);
+        light.g = light.g + lit * F(floor.scale.y);
+        light.b = light.b + lit * F(floor.scale.z);
     }
-    store_block(job, x0, y0, width, height, light);
+    store_block(job, at, light);
 }
 
-template <class Events>
-HWY_INLINE void trace_blocks(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
-                             const Rectangle& at, Events& events) {
-    for (int y = at.y0; y < at.y1; y += block_side)
-        for (int x = at.x0; x < at.x1; x += block_side)
-            trace_block(job, scene, bundle, x, y, at.x1 - x < block_side ? at.x1 - x : block_side,
-                        at.y1 - y < block_side ? at.y1 - y : block_side, events);
+/// A rectangle by blocks of N pixels.
+template <int N, class Events>
+HWY_NOINLINE void trace_blocks(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
+                               const Rectangle& at, Events& events) {
+    constexpr int block = block_width<N>;
+    for (int y = at.y0; y < at.y1; y += block_height)
+        for (int x = at.x0; x < at.x1; x += block)
+            trace_block<N>(
+                job, scene, bundle,
+                {x, y, at.x1 - x < block ? at.x1 : x + block, at.y1 - y < block_height ? at.y1 : y + block_height},
+                events);
 }
 
 }  // namespace HWY_NAMESPACE

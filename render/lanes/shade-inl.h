@@ -1,4 +1,4 @@
-// What rays see: the faces of shade.h in sixteen lanes, or for a rectangle.
+// What rays see: the faces of shade.h in lanes, or for a rectangle.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
@@ -19,7 +19,8 @@ HWY_INLINE bool is_mirror(const detail::TileJob& job, const Way& way, const acce
 }
 
 /// The rays as a level floor mirrors them: the same line in plan, from the mirrored origin.
-HWY_INLINE Rays16 mirrored(Rays16 rays, const F16& floor) {
+template <int N>
+HWY_INLINE Rays<N> mirrored(Rays<N> rays, const Floats<N>& floor) {
     rays.origin.z = floor + (floor - rays.origin.z);
     rays.direction.z = -rays.direction.z;
     const Bits descends = rays.descends;
@@ -28,21 +29,25 @@ HWY_INLINE Rays16 mirrored(Rays16 rays, const F16& floor) {
     return rays;
 }
 
-/// What sixteen rays have met.
-struct Seen16 {
+/// What rays have met.
+template <int N>
+struct Seen {
     const detail::TileJob& job;
     const accel::SceneView& scene;
-    const Rays16* rays;
-    F16 cosine;  ///< times the direction's length
-    F16 red, green, blue;
+    const Rays<N>& rays;
+    Floats<N> cosine{0};  ///< times the direction's length
+    Floats<N> red{0}, green{0}, blue{0};
     Bits sky = 0;
-    Bits leaked_rays = 0;
+    Bits leaks = 0;
     Bits mirrors = 0;  ///< end at a floor that mirrors
     Groups mirror_groups;
-    float mirror_level[rays_at_once];
-    bool is_mirrored = false;
+    Floats<N> mirror_level{0};
+    bool is_mirrored;
 
-    HWY_INLINE void hit(const Way& way, std::uint32_t cell, const Crossings16&) {
+    Seen(const detail::TileJob& job_, const accel::SceneView& scene_, const Rays<N>& rays_, bool is_mirrored_)
+        : job(job_), scene(scene_), rays(rays_), is_mirrored(is_mirrored_) {}
+
+    HWY_INLINE void hit(const Way& way, std::uint32_t cell, const Crossings<N>&) {
         const accel::SourceFace& face = scene.source_faces[way.target.bits];
         if (face.surface == accel::Surface::Sky) {
             sky |= way.rays;
@@ -50,53 +55,59 @@ struct Seen16 {
         }
         const Vec3f colour = colour_of(scene, face);
         const Vec3f n = outward_normal(scene, way);
-        const F16 facing = way.exit == Exit::Side
-                               ? fused_lanes(broadcast(n.x), rays->direction.x, broadcast(n.y) * rays->direction.y)
-                               : magnitude_of(rays->direction.z);
+        // Of a level face n.x and n.y are 0, of an upright one n.z is.
+        const Floats<N> facing =
+            fused_lanes(Floats<N>(n.x), rays.direction.x,
+                        fused_lanes(Floats<N>(n.y), rays.direction.y, Floats<N>(n.z) * rays.direction.z));
         cosine = choose(way.rays, facing, cosine);
-        red = choose(way.rays, broadcast(colour.x), red);
-        green = choose(way.rays, broadcast(colour.y), green);
-        blue = choose(way.rays, broadcast(colour.z), blue);
-        if (!is_mirrored && is_mirror(job, way, face)) {
+        red = choose(way.rays, Floats<N>(colour.x), red);
+        green = choose(way.rays, Floats<N>(colour.y), green);
+        blue = choose(way.rays, Floats<N>(colour.z), blue);
+        if (HWY_UNLIKELY(!is_mirrored && is_mirror(job, way, face))) {
             mirrors |= way.rays;
             mirror_groups.add(cell, way.rays);
-            for (Bits left = way.rays; left != 0; left &= left - 1)
-                mirror_level[lowest_bit(left)] = scene.cells[cell].z_floor;
+            mirror_level = choose(way.rays, Floats<N>(scene.cells[cell].z_floor), mirror_level);
         }
     }
     HWY_INLINE void reached(Bits, std::uint32_t) {}
-    HWY_INLINE void leaked(Bits which, std::uint32_t) { leaked_rays |= which; }
+    HWY_INLINE void leaked(Bits which, std::uint32_t) { leaks |= which; }
     HWY_INLINE Bits enter(Bits, std::uint32_t) { return 0; }
 };
 
-struct Light16 {
-    F16 r, g, b;
+template <int N>
+struct Light {
+    Floats<N> r, g, b;
 };
 
+template <int N>
+HWY_INLINE Light<N> choose_light(Bits bits, const Light<N>& a, const Light<N>& b) {
+    return {choose(bits, a.r, b.r), choose(bits, a.g, b.g), choose(bits, a.b, b.b)};
+}
+
+template <int N>
+HWY_NOINLINE void add_sky(const Look& look, Bits bits, const Floats<N>& dz, const Floats<N>& inverse_length,
+                          Light<N>& light) {
+    const Floats<N> blend = root_of(largest(dz * inverse_length, Floats<N>(0)));
+    const Floats<N> rest = Floats<N>(1) - blend;
+    const auto channel = [&](float horizon, float zenith)
+                             HWY_ATTR { return rest * Floats<N>(horizon) + blend * Floats<N>(zenith); };
+    light = choose_light(
+        bits,
+        Light<N>{channel(look.sky_horizon.x, look.sky_zenith.x), channel(look.sky_horizon.y, look.sky_zenith.y),
+                 channel(look.sky_horizon.z, look.sky_zenith.z)},
+        light);
+}
+
 /// Their light, glass included.
-HWY_INLINE Light16 light_of(const Seen16& seen, const F16& inverse_length, const Tints& tints) {
-    const F16 lit = largest(seen.cosine, broadcast(0)) * inverse_length;
-    Light16 light = {lit * seen.red, lit * seen.green, lit * seen.blue};
-    if (HWY_UNLIKELY(seen.sky != 0)) {
-        const Look& look = *seen.job.look;
-        const F16 blend = root_of(largest(seen.rays->direction.z * inverse_length, broadcast(0)));
-        const F16 rest = broadcast(1) - blend;
-        const auto channel = [&](float horizon, float zenith)
-                                 HWY_ATTR { return rest * broadcast(horizon) + blend * broadcast(zenith); };
-        light.r = choose(seen.sky, channel(look.sky_horizon.x, look.sky_zenith.x), light.r);
-        light.g = choose(seen.sky, channel(look.sky_horizon.y, look.sky_zenith.y), light.g);
-        light.b = choose(seen.sky, channel(look.sky_horizon.z, look.sky_zenith.z), light.b);
-    }
-    if (HWY_UNLIKELY(seen.leaked_rays != 0)) {
-        light.r = choose(seen.leaked_rays, broadcast(1), light.r);
-        light.g = choose(seen.leaked_rays, broadcast(0), light.g);
-        light.b = choose(seen.leaked_rays, broadcast(1), light.b);
-    }
-    if (HWY_UNLIKELY(tints.any)) {
-        light.r = light.r * load(tints.rgb[0]);
-        light.g = light.g * load(tints.rgb[1]);
-        light.b = light.b * load(tints.rgb[2]);
-    }
+template <int N>
+HWY_INLINE Light<N> light_of(const Seen<N>& seen, const Floats<N>& inverse_length, const Tints<N>& tints) {
+    const Floats<N> lit = largest(seen.cosine, Floats<N>(0)) * inverse_length;
+    Light<N> light = {lit * seen.red, lit * seen.green, lit * seen.blue};
+    if (seen.sky != 0) add_sky(*seen.job.look, seen.sky, seen.rays.direction.z, inverse_length, light);
+    if (HWY_UNLIKELY(seen.leaks != 0))
+        light = choose_light(seen.leaks, Light<N>{Floats<N>(1), Floats<N>(0), Floats<N>(1)}, light);
+    if (HWY_UNLIKELY(tints.any))
+        light = {light.r * load<N>(tints.rgb[0]), light.g * load<N>(tints.rgb[1]), light.b * load<N>(tints.rgb[2])};
     return light;
 }
 

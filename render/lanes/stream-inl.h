@@ -4,17 +4,21 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
-/// Sixteen rays of a stream, gathered by their places in it.
+/// Rays of a stream that are walked together.
+inline constexpr int stream_rays = 16;
+using Lanes = Floats<stream_rays>;
+
+/// Some of them, by their places in it.
 struct Batch {
-    std::uint64_t index[rays_at_once];
+    std::uint64_t index[stream_rays];
     int size;
 };
 
 template <class Job>
 HWY_INLINE Batch batch_at(const Job& job, std::uint64_t k) {
     Batch batch;
-    batch.size = static_cast<int>(job.end - k < rays_at_once ? job.end - k : rays_at_once);
-    for (int i = 0; i < rays_at_once; ++i) {
+    batch.size = static_cast<int>(job.end - k < stream_rays ? job.end - k : stream_rays);
+    for (int i = 0; i < stream_rays; ++i) {
         const std::uint64_t place = k + static_cast<std::uint64_t>(i < batch.size ? i : 0);
         batch.index[i] = job.order != nullptr ? job.order[place] : place;
     }
@@ -22,31 +26,31 @@ HWY_INLINE Batch batch_at(const Job& job, std::uint64_t k) {
 }
 
 template <class Job>
-HWY_INLINE F16 column(const Job& job, const float* values, const Batch& batch) {
-    if (job.order == nullptr && batch.size == rays_at_once) return load(values + batch.index[0]);
-    HWY_ALIGN float lanes[rays_at_once];
-    for (int i = 0; i < rays_at_once; ++i) lanes[i] = values[batch.index[i]];
-    return load(lanes);
+HWY_INLINE Lanes column(const Job& job, const float* values, const Batch& batch) {
+    if (job.order == nullptr && batch.size == stream_rays) return load<stream_rays>(values + batch.index[0]);
+    HWY_ALIGN float lanes[stream_rays];
+    for (int i = 0; i < stream_rays; ++i) lanes[i] = values[batch.index[i]];
+    return load<stream_rays>(lanes);
 }
 
 template <class Job>
-HWY_INLINE Vec16 columns(const Job& job, const float* const* values, const Batch& batch) {
+HWY_INLINE Points<stream_rays> columns(const Job& job, const float* const* values, const Batch& batch) {
     return {column(job, values[0], batch), column(job, values[1], batch), column(job, values[2], batch)};
 }
 
 /// Directions for which no scaling is needed (make_ray), and origins that are finite; the others go one by one.
-HWY_INLINE Bits plain_rays(const Vec16& o, const Vec16& d) {
-    const F16 longest = largest(largest(magnitude_of(d.x), magnitude_of(d.y)), magnitude_of(d.z));
-    const F16 level = largest(magnitude_of(d.x), magnitude_of(d.y));
-    const F16 place = largest(largest(magnitude_of(o.x), magnitude_of(o.y)), magnitude_of(o.z));
-    const F16 sum = d.x + d.y + d.z + o.x + o.y + o.z;  // NaN if one of them is; Max may lose it
-    return is_at_most(longest, broadcast(0x1p20f)) & is_at_most(broadcast(0x1p-20f), longest) &
-           is_at_most(longest * broadcast(0x1p-30f), level) & is_at_most(place, broadcast(1e12f)) & is_equal(sum, sum);
+HWY_INLINE Bits plain_rays(const Points<stream_rays>& o, const Points<stream_rays>& d) {
+    const Lanes longest = largest(largest(magnitude_of(d.x), magnitude_of(d.y)), magnitude_of(d.z));
+    const Lanes level = largest(magnitude_of(d.x), magnitude_of(d.y));
+    const Lanes place = largest(largest(magnitude_of(o.x), magnitude_of(o.y)), magnitude_of(o.z));
+    const Lanes sum = d.x + d.y + d.z + o.x + o.y + o.z;  // NaN if one of them is; Max may lose it
+    return is_at_most(longest, Lanes(0x1p20f)) & is_at_most(Lanes(0x1p-20f), longest) &
+           is_at_most(longest * Lanes(0x1p-30f), level) & is_at_most(place, Lanes(1e12f)) & is_equal(sum, sum);
 }
 
 /// The places in the stream of some lanes of a batch.
 struct Places {
-    std::uint32_t index[rays_at_once];
+    std::uint32_t index[stream_rays];
     std::uint32_t count = 0;
 
     Places(const Batch& batch, Bits lanes) {
@@ -66,45 +70,42 @@ HWY_NOINLINE void walk_alone(const Job& job, const Batch& batch, Bits lanes, voi
     kernel(part);
 }
 
-HWY_INLINE void set_lanes(Bits rays, std::uint32_t value, std::uint32_t* HWY_RESTRICT lanes) {
-    for (int k = 0; k < vector_count; ++k)
-        hn::BlendedStore(hn::Set(DU(), value), hn::RebindMask(DU(), mask_of(rays, k)), DU(), lanes + k * lane_count);
-}
-
 /// Lanes by the cells in which they start. Where they are spread over many cells they share nothing: returns false.
 HWY_INLINE bool group_by_cell(const accel::CellId* cells, const Batch& batch, Bits lanes, Groups& groups) {
     constexpr int most_groups = 6;
     for (; lanes != 0; lanes &= lanes - 1) {
         const std::uint32_t lane = lowest_bit(lanes);
         groups.add(static_cast<std::uint32_t>(cells[batch.index[lane]]), 1u << lane);
-        if (groups.size() > most_groups) return false;
+        if (groups.size > most_groups) return false;
     }
     return true;
 }
 
-struct Ends16 {
+struct Ends {
     const accel::SceneView& scene;
-    const Rays16& rays;
-    F16 t;
-    HWY_ALIGN std::uint32_t face[rays_at_once];
-    HWY_ALIGN std::uint32_t cell[rays_at_once];
+    const Rays<stream_rays>& rays;
+    Lanes t{0};
+    HWY_ALIGN std::uint32_t face[stream_rays];  // all lanes that are walked are written
+    HWY_ALIGN std::uint32_t cell[stream_rays];
     Bits limited = 0, leaks = 0;
 
-    HWY_INLINE void hit(const Way& way, std::uint32_t cell_, const Crossings16& at) {
+    Ends(const accel::SceneView& scene_, const Rays<stream_rays>& rays_) : scene(scene_), rays(rays_) {}
+
+    HWY_INLINE void hit(const Way& way, std::uint32_t cell_, const Crossings<stream_rays>& at) {
         if (way.exit == Exit::Side) {
             t = choose(way.rays, at.num / at.den, t);
         } else {
             const accel::Cell& c = scene.cells[cell_];
-            const F16 level = broadcast(way.exit == Exit::Floor ? c.z_floor : c.z_ceiling);
+            const Lanes level = Lanes(way.exit == Exit::Floor ? c.z_floor : c.z_ceiling);
             t = choose(way.rays, (level - rays.origin.z) / rays.direction.z, t);
         }
-        set_lanes(way.rays, way.target.bits, face);
-        set_lanes(way.rays, cell_, cell);
+        set_lanes<stream_rays>(way.rays, way.target.bits, face);
+        set_lanes<stream_rays>(way.rays, cell_, cell);
     }
     HWY_INLINE void reached(Bits which, std::uint32_t cell_) {
         limited |= which;
-        set_lanes(which, ~0u, face);
-        set_lanes(which, cell_, cell);
+        set_lanes<stream_rays>(which, ~0u, face);
+        set_lanes<stream_rays>(which, cell_, cell);
     }
     HWY_INLINE void leaked(Bits which, std::uint32_t cell_) {
         reached(which, cell_);
@@ -116,15 +117,15 @@ struct Ends16 {
 
 template <class Limits, class Events>
 HWY_INLINE void nearest_batch(const detail::StreamJob& job, const accel::SceneView& scene, const Batch& batch,
-                              Bits lanes, const Rays16& rays, const F16& metres, const Limits& limits,
-                              const F16& max_distance, Groups& groups, Events& events) {
-    Ends16 ends{scene, rays, broadcast(0)};
-    Tints tints;
+                              Bits lanes, const Rays<stream_rays>& rays, const Lanes& metres, const Limits& limits,
+                              const Lanes& max_distance, Groups& groups, Events& events) {
+    Ends ends(scene, rays);
+    Tints<stream_rays> tints;
     for (Bits left = lanes; left != 0; left &= left - 1) events.began_walk();
-    walk16(scene, rays, groups, limits, tints, ends, events);
-    HWY_ALIGN float distance[rays_at_once];
-    store(choose(ends.limited, max_distance, largest(ends.t, broadcast(0)) * metres), distance);
-    if (job.order == nullptr && lanes == all_bits) {
+    walk_together(scene, rays, groups, limits, tints, ends, events);
+    HWY_ALIGN float distance[stream_rays];
+    store(choose(ends.limited, max_distance, largest(ends.t, Lanes(0)) * metres), distance);
+    if (job.order == nullptr && lanes == all_bits<stream_rays>) {
         const std::uint64_t first = batch.index[0];
         if (job.distance != nullptr) std::memcpy(job.distance + first, distance, sizeof distance);
         if (job.source_face != nullptr) std::memcpy(job.source_face + first, ends.face, sizeof ends.face);
@@ -150,41 +151,42 @@ HWY_INLINE void nearest_batch(const detail::StreamJob& job, const accel::SceneVi
 template <class Events>
 void nearest_rays(const detail::StreamJob& job, Events& events) {
     const accel::SceneView scene = *job.scene;
-    for (std::uint64_t k = job.begin; k < job.end; k += rays_at_once) {
+    for (std::uint64_t k = job.begin; k < job.end; k += stream_rays) {
         const Batch batch = batch_at(job, k);
-        const Bits present = all_bits >> (rays_at_once - batch.size);
-        const Vec16 o = columns(job, job.origin, batch), d = columns(job, job.direction, batch);
+        const Bits present = all_bits<stream_rays> >> (stream_rays - batch.size);
+        const Points<stream_rays> o = columns(job, job.origin, batch), d = columns(job, job.direction, batch);
         Bits lanes = present & plain_rays(o, d);
-        F16 max_distance = broadcast(0);
+        Lanes max_distance = Lanes(0);
         if (job.max_distance != nullptr) {
             max_distance = column(job, job.max_distance, batch);
-            lanes &= is_at_most(max_distance, broadcast(1e30f)) & is_at_most(broadcast(-1e30f), max_distance);
+            lanes &= is_at_most(max_distance, Lanes(1e30f)) & is_at_most(Lanes(-1e30f), max_distance);
         }
         Groups groups;
         if (!group_by_cell(job.start, batch, lanes, groups)) lanes = 0;
         if (lanes != present) walk_alone(job, batch, present & ~lanes, detail::kernels().nearest);
         if (lanes == 0) continue;
-        const Rays16 rays = make_rays(o, d);
-        const F16 metres = root_of(dot16(d, d));
+        const Rays<stream_rays> rays = make_rays(o, d);
+        const Lanes metres = root_of(dot_lanes(d, d));
         if (job.max_distance == nullptr)
-            nearest_batch(job, scene, batch, lanes, rays, metres, Unlimited{}, max_distance, groups, events);
-        else
-            nearest_batch(job, scene, batch, lanes, rays, metres, Limit16{max_distance / metres}, max_distance, groups,
+            nearest_batch(job, scene, batch, lanes, rays, metres, Unlimited<stream_rays>{}, max_distance, groups,
                           events);
+        else
+            nearest_batch(job, scene, batch, lanes, rays, metres, Limits<stream_rays>{max_distance / metres},
+                          max_distance, groups, events);
     }
 }
 
 /// Shadow rays: they end where they enter their goal's cell, for cells are convex.
-struct Sight16 {
+struct Sight {
     const std::uint32_t* goal;
     Bits seen = 0;
 
-    HWY_INLINE void hit(const Way&, std::uint32_t, const Crossings16&) {}
+    HWY_INLINE void hit(const Way&, std::uint32_t, const Crossings<stream_rays>&) {}
     HWY_INLINE void reached(Bits which, std::uint32_t) { seen |= which; }
     HWY_INLINE void leaked(Bits, std::uint32_t) {}
     HWY_INLINE Bits enter(Bits which, std::uint32_t cell) {
         Bits there = 0;
-        for (int k = 0; k < vector_count; ++k)
+        for (int k = 0; k < Lanes::vectors; ++k)
             there |= bits_of(hn::RebindMask(D(), hn::Eq(hn::Load(DU(), goal + k * lane_count), hn::Set(DU(), cell))))
                      << (k * lane_count);
         there &= which;
@@ -196,19 +198,19 @@ struct Sight16 {
 template <class Events>
 void visible_segments(const detail::SegmentJob& job, Events& events) {
     const accel::SceneView scene = *job.scene;
-    for (std::uint64_t k = job.begin; k < job.end; k += rays_at_once) {
+    for (std::uint64_t k = job.begin; k < job.end; k += stream_rays) {
         const Batch batch = batch_at(job, k);
-        const Bits present = all_bits >> (rays_at_once - batch.size);
-        const Vec16 p = columns(job, job.from, batch), q = columns(job, job.to, batch);
-        const Vec16 d = {q.x - p.x, q.y - p.y, q.z - p.z};
+        const Bits present = all_bits<stream_rays> >> (stream_rays - batch.size);
+        const Points<stream_rays> p = columns(job, job.from, batch), q = columns(job, job.to, batch);
+        const Points<stream_rays> d = {q.x - p.x, q.y - p.y, q.z - p.z};
         Bits lanes = present & plain_rays(p, d);
-        HWY_ALIGN std::uint32_t goal[rays_at_once];
+        HWY_ALIGN std::uint32_t goal[stream_rays];
         Bits same = 0;
-        for (int i = 0; i < rays_at_once; ++i) {
+        for (int i = 0; i < stream_rays; ++i) {
             goal[i] = job.to_cell != nullptr ? static_cast<std::uint32_t>(job.to_cell[batch.index[i]]) : no_section;
             same |= static_cast<Bits>(static_cast<std::uint32_t>(job.from_cell[batch.index[i]]) == goal[i]) << i;
         }
-        Sight16 sight{goal, same & lanes};
+        Sight sight{goal, same & lanes};
         Groups groups;
         Bits walking = lanes & ~same;
         if (!group_by_cell(job.from_cell, batch, walking, groups)) {
@@ -218,8 +220,8 @@ void visible_segments(const detail::SegmentJob& job, Events& events) {
         if (lanes != present) walk_alone(job, batch, present & ~lanes, detail::kernels().visible);
         if (walking != 0) {
             for (Bits left = walking; left != 0; left &= left - 1) events.began_walk();
-            Tints tints;
-            walk16(scene, make_rays(p, d), groups, Limit16{broadcast(1)}, tints, sight, events);
+            Tints<stream_rays> tints;
+            walk_together(scene, make_rays(p, d), groups, Limits<stream_rays>{Lanes(1)}, tints, sight, events);
         }
         for (Bits left = lanes; left != 0; left &= left - 1) {
             const std::uint32_t lane = lowest_bit(left);

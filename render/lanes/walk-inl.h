@@ -1,5 +1,5 @@
-// Sixteen rays together through the cells: those in one cell leave it together (leave-inl.h), those that go on to
-// one neighbour go on together.
+// N rays together through the cells: those in one cell leave it together (leave-inl.h), those that go on to one
+// neighbour go on together.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
@@ -11,153 +11,145 @@ struct Group {
     Bits rays;
 };
 
-/// Where each of sixteen rays is. At most sixteen groups, no ray in two of them.
-class Groups {
-public:
+/// Where each ray is. No ray is in two groups.
+struct Groups {
+    int size = 0;
+    Group of[32];
+
+    Groups() {}  // the groups need no beginning
     HWY_INLINE void add(std::uint32_t cell, Bits rays) {
-        for (int i = 0; i < size_; ++i)
-            if (groups_[i].cell == cell) {
-                groups_[i].rays |= rays;
+        for (int i = 0; i < size; ++i)
+            if (of[i].cell == cell) {
+                of[i].rays |= rays;
                 return;
             }
-        groups_[size_++] = {cell, rays};
+        of[size++] = {cell, rays};
     }
-    HWY_INLINE void clear() { size_ = 0; }
-    [[nodiscard]] HWY_INLINE int size() const { return size_; }
-    [[nodiscard]] HWY_INLINE const Group& operator[](int i) const { return groups_[i]; }
-
-private:
-    Group groups_[rays_at_once];
-    int size_ = 0;
-};
-
-/// By which section each ray entered its cell; only asked where rounding leaves several exits or none.
-struct Entries {
-    std::uint32_t section[rays_at_once];
-    std::uint32_t next[rays_at_once];
-
-    HWY_INLINE void clear() {
-        for (int i = 0; i < rays_at_once; ++i) section[i] = next[i] = no_section;
-    }
-    HWY_INLINE void set(Bits rays, std::uint32_t section_, std::uint32_t next_) {
-        for (int k = 0; k < vector_count; ++k) {
-            const auto mask = hn::RebindMask(DU(), mask_of(rays, k));
-            hn::BlendedStore(hn::Set(DU(), section_), mask, DU(), section + k * lane_count);
-            hn::BlendedStore(hn::Set(DU(), next_), mask, DU(), next + k * lane_count);
-        }
+    /// \pre the ray is in one of them
+    [[nodiscard]] std::uint32_t cell_of(int ray) const {
+        int i = 0;
+        while ((of[i].rays >> ray & 1u) == 0) ++i;
+        return of[i].cell;
     }
 };
 
 /// The products of the tints of the glass that rays crossed; ones until the first pane.
+template <int N>
 struct Tints {
     bool any = false;
-    float rgb[3][rays_at_once];
+    float rgb[3][N];
 
+    Tints() {}  // the numbers are written when the first pane is crossed
     HWY_NOINLINE void multiply(Bits rays, Vec3f tint) {
         if (!any)
             for (auto& channel : rgb)
                 for (float& value : channel) value = 1;
         any = true;
-        for (int i = 0; i < rays_at_once; ++i) {
+        for (int i = 0; i < N; ++i) {
             if ((rays >> i & 1u) == 0) continue;
             rgb[0][i] *= tint.x;
             rgb[1][i] *= tint.y;
             rgb[2][i] *= tint.z;
         }
     }
+    /// Takes one ray's tint back to what it was.
+    void restore(int ray, const Tints& before) {
+        if (!any) return;
+        for (int c = 0; c < 3; ++c) rgb[c][ray] = before.any ? before.rgb[c][ray] : 1;
+    }
 };
 
-/// One step of a ray that rounding has left several exits or none, as the scalar walk takes it. Never inlined: rare.
-template <class Events>
-HWY_NOINLINE WalkEnd<float> leave_alone(const accel::SceneView& scene, const Rays16& rays, int lane, std::uint32_t cell,
-                                        const Entries& entries, bool take_farthest, Events& events) {
-    WalkEnd<float> end;
-    leave_cell(scene, rays.ray(lane), cell, entries.section[lane], entries.next[lane], take_farthest, NoLimit{}, events,
-               end);
-    return end;
-}
-
-/// What a walk has no limit.
+/// Walks until faces stop the light.
+template <int N>
 struct Unlimited {
-    [[nodiscard]] HWY_INLINE Bits before_side(const Crossings16&) const { return 0; }
-    [[nodiscard]] HWY_INLINE Bits before_level(const F16&, const Rays16&) const { return 0; }
+    [[nodiscard]] HWY_INLINE Bits before_side(const Crossings<N>&) const { return 0; }
+    [[nodiscard]] HWY_INLINE Bits before_level(const Floats<N>&, const Rays<N>&) const { return 0; }
+    [[nodiscard]] NoLimit of(int) const { return {}; }
 };
 
 /// Walks at most t times each ray's direction.
-struct Limit16 {
-    F16 t;
-    [[nodiscard]] HWY_INLINE Bits before_side(const Crossings16& at) const {
-        return all_bits & ~is_at_most(at.num, t * at.den);
+template <int N>
+struct Limits {
+    Floats<N> t;
+    [[nodiscard]] HWY_INLINE Bits before_side(const Crossings<N>& at) const {
+        return all_bits<N> & ~is_at_most(at.num, t * at.den);
     }
-    [[nodiscard]] HWY_INLINE Bits before_level(const F16& rise, const Rays16& rays) const {
-        const F16 reach = t * rays.direction.z;
-        return all_bits & ((rays.descends & ~is_at_most(reach, rise)) | (~rays.descends & ~is_at_most(rise, reach)));
+    [[nodiscard]] HWY_INLINE Bits before_level(const Floats<N>& rise, const Rays<N>& rays) const {
+        const Floats<N> reach = t * rays.direction.z;
+        return all_bits<N> & ((rays.descends & ~is_at_most(reach, rise)) | (~rays.descends & ~is_at_most(rise, reach)));
+    }
+    [[nodiscard]] Limit<float> of(int ray) const {
+        float each[N];
+        store(t, each);
+        return {each[ray]};
     }
 };
 
-/// Follows the rays of `groups` until faces or limits stop them. Calls sink.hit(way, cell, crossings) for rays that end
-/// together at a face, sink.reached(rays, cell) for those whose limit lies in the cell, sink.leaked(rays, cell) for
-/// those that do not end (walk.h); sink.enter(rays, cell) as they go on, returning those that need go no further.
-template <class Limits, class Sink, class Events>
-HWY_INLINE void walk16(const accel::SceneView& scene, const Rays16& rays, Groups& groups, const Limits& limits,
-                       Tints& tints, Sink& sink, Events& events) {
-    Entries entries;
-    entries.clear();
-    Groups next;
-    Groups* now = &groups;
-    Groups* then = &next;
-    const std::uint64_t turn_back = scene.cells.count + 16;
-    for (std::uint64_t steps = 2 * turn_back; now->size() > 0; --steps) {
-        if (steps == 0) {
-            for (int g = 0; g < now->size(); ++g) {
-                sink.leaked((*now)[g].rays, (*now)[g].cell);
-                for (Bits left = (*now)[g].rays; left != 0; left &= left - 1) events.leaked();
-            }
-            return;
-        }
-        then->clear();
-        for (int g = 0; g < now->size(); ++g) {
-            const Group group = (*now)[g];
+/// A ray that rounding has left several exits or none is walked by itself from where it began, to its end: in one
+/// arithmetic, for a walk that mixes two may go round a vertical line for ever.
+template <int N, class Limiting, class Sink, class Events>
+HWY_NOINLINE void walk_by_itself(const accel::SceneView& scene, const Rays<N>& rays, int ray, std::uint32_t cell,
+                                 const Limiting& limits, Tints<N>& tints, Sink& sink, Events& events) {
+    Vec3f throughput = {1, 1, 1};
+    const Bits bit = Bits(1) << ray;
+    const WalkEnd<float> end = walk(scene, rays.ray(ray), cell, limits.of(ray), throughput, events);
+    if (!(throughput == Vec3f{1, 1, 1}) || tints.any) tints.multiply(bit, throughput);
+    if (end.status == WalkStatus::Leak) return sink.leaked(bit, end.cell);
+    if (end.status == WalkStatus::Reached) return sink.reached(bit, end.cell);
+    sink.hit(Way{bit, end.exit, end.section, end.next_section, end.face, end.target}, end.cell,
+             Crossings<N>{Floats<N>(end.num), Floats<N>(end.den)});
+}
+
+/// Follows rays from the cells in which they start until faces or limits stop them. Calls sink.hit(way, cell,
+/// crossings) for those that end together at a face, sink.reached(rays, cell) for those whose limit lies in the cell,
+/// sink.leaked(rays, cell) for those that do not end (walk.h); sink.enter(rays, cell) as they go on, which returns
+/// those that need go no further.
+template <int N, class Limiting, class Sink, class Events>
+HWY_INLINE void walk_together(const accel::SceneView& scene, const Rays<N>& rays, const Groups& start,
+                              const Limiting& limits, Tints<N>& tints, Sink& sink, Events& events) {
+    Tints<N> before;
+    if (HWY_UNLIKELY(tints.any)) before = tints;
+    Groups lists[2];
+    const Groups* now = &start;
+    Bits alone = 0;
+    std::uint64_t steps = 0;
+    for (; now->size > 0 && steps < scene.cells.count + 16; ++steps) {
+        Groups& then = lists[steps & 1];
+        then.size = 0;
+        for (int g = 0; g < now->size; ++g) {
+            const Group group = now->of[g];
             const accel::Cell& cell = scene.cells[group.cell];
-            const auto visit = [&](const Way& way, const Crossings16& at) {
-                Bits going = way.rays;
-                Bits reached = 0;
-                if (way.exit == Exit::Side) {
-                    reached = going & limits.before_side(at);
-                } else {
-                    const float z = way.exit == Exit::Floor ? cell.z_floor : cell.z_ceiling;
-                    reached = going & limits.before_level(broadcast(z) - rays.origin.z, rays);
-                }
-                if (reached != 0) sink.reached(reached, group.cell);
-                going &= ~reached;
-                if (going == 0) return;
+            const auto visit = [&](const Way& way, const Crossings<N>& at) HWY_ATTR {
                 Way rest = way;
-                rest.rays = going;
+                const Floats<N> level(way.exit == Exit::Floor ? cell.z_floor : cell.z_ceiling);
+                const Bits reached =
+                    way.rays & (way.exit == Exit::Side ? limits.before_side(at)
+                                                       : limits.before_level(level - rays.origin.z, rays));
+                if (reached != 0) {
+                    sink.reached(reached, group.cell);
+                    rest.rays &= ~reached;
+                    if (rest.rays == 0) return;
+                }
                 if (!way.target.is_portal()) return sink.hit(rest, group.cell, at);
                 if (way.target.is_glass()) {
-                    tints.multiply(going, tint_of(scene, group.cell, way.exit, way.face));
-                    for (Bits left = going; left != 0; left &= left - 1) events.crossed_glass();
+                    tints.multiply(rest.rays, tint_of(scene, group.cell, way.exit, way.face));
+                    for (Bits left = rest.rays; left != 0; left &= left - 1) events.crossed_glass();
                 }
                 const auto neighbour = static_cast<std::uint32_t>(way.target.neighbour());
-                entries.set(going, way.section, way.next_section);
-                going &= ~sink.enter(going, neighbour);
-                if (going != 0) then->add(neighbour, going);
+                rest.rays &= ~sink.enter(rest.rays, neighbour);
+                if (rest.rays != 0) then.add(neighbour, rest.rays);
             };
             for (Bits left = group.rays; left != 0; left &= left - 1) events.entered_cell(cell.section_count);
-            Bits alone = leave_cell16(scene, rays, cell, group.rays, visit);
-            for (; HWY_UNLIKELY(alone != 0); alone &= alone - 1) {
-                const int lane = static_cast<int>(lowest_bit(alone));
-                const WalkEnd<float> end =
-                    leave_alone(scene, rays, lane, group.cell, entries, steps > turn_back, events);
-                const bool by_side = end.exit == Exit::Side;
-                visit(Way{1u << lane, end.exit, by_side ? end.section : no_section,
-                          by_side ? end.next_section : no_section, end.face, end.target},
-                      Crossings16{broadcast(end.num), broadcast(end.den)});
-            }
+            alone |= leave_cell_together(scene, rays, cell, group.rays, visit);
         }
-        Groups* const swapped = now;
-        now = then;
-        then = swapped;
+        now = &then;
+    }
+    // A circle about a vertical line: the scalar walk knows how to leave it.
+    for (int g = 0; g < now->size; ++g) alone |= now->of[g].rays;
+    for (; HWY_UNLIKELY(alone != 0); alone &= alone - 1) {
+        const int ray = static_cast<int>(lowest_bit(alone));
+        tints.restore(ray, before);
+        walk_by_itself(scene, rays, ray, start.cell_of(ray), limits, tints, sink, events);
     }
 }
 
