@@ -1,4 +1,4 @@
-// Packets of rays for Embree, made and shaded in lanes. Compiled once for every instruction set of Highway's.
+// Rays for Embree, made and shaded in lanes. Compiled once for every instruction set of Highway's.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/embree_loops.cpp"
@@ -18,17 +18,62 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <int N>
-struct Packet;
-template <>
-struct Packet<8> {
+/// One ray a call, for blocks of sixteen: they are made and shaded in lanes all the same.
+struct Single {
+    static constexpr int lanes = 16;
+    using Ray = RTCRay16;
+    using RayHit = RTCRayHit16;
+
+    static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RayHit* block) {
+        for (int k = 0; k < lanes; ++k) {
+            if (valid[k] == 0) continue;
+            RTCRayHit query;
+            query.ray = ray_of(block->ray, k);
+            query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(scene, context, &query);
+            block->ray.tfar[k] = query.ray.tfar;
+            block->hit.Ng_x[k] = query.hit.Ng_x;
+            block->hit.Ng_y[k] = query.hit.Ng_y;
+            block->hit.Ng_z[k] = query.hit.Ng_z;
+            block->hit.primID[k] = query.hit.primID;
+            block->hit.geomID[k] = query.hit.geomID;
+        }
+    }
+    static void occluded(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* block) {
+        for (int k = 0; k < lanes; ++k) {
+            if (valid[k] == 0) continue;
+            RTCRay ray = ray_of(*block, k);
+            rtcOccluded1(scene, context, &ray);
+            block->tfar[k] = ray.tfar;
+        }
+    }
+    static RTCRay ray_of(const Ray& block, int k) {
+        return {block.org_x[k],
+                block.org_y[k],
+                block.org_z[k],
+                block.tnear[k],
+                block.dir_x[k],
+                block.dir_y[k],
+                block.dir_z[k],
+                0,
+                block.tfar[k],
+                ~0u,
+                0,
+                0};
+    }
+};
+
+struct Eight {
+    static constexpr int lanes = 8;
     using Ray = RTCRay8;
     using RayHit = RTCRayHit8;
     static constexpr auto intersect = rtcIntersect8;
     static constexpr auto occluded = rtcOccluded8;
 };
-template <>
-struct Packet<16> {
+
+struct Sixteen {
+    static constexpr int lanes = 16;
     using Ray = RTCRay16;
     using RayHit = RTCRayHit16;
     static constexpr auto intersect = rtcIntersect16;
@@ -139,8 +184,9 @@ HWY_INLINE void fill_constants(Ray& ray, const Vec3f* origin) {
     }
 }
 
-template <int N>
+template <class Packet>
 HWY_NOINLINE void trace_tile(const EmbreeTile& job) {
+    constexpr int N = Packet::lanes;
     const Floats<N> d;
     const hn::RebindToUnsigned<Floats<N>> du;
     using D = Floats<N>;
@@ -149,7 +195,7 @@ HWY_NOINLINE void trace_tile(const EmbreeTile& job) {
     RTCIntersectContext context = context_of(job.embree);
     alignas(64) int valid[N];
     for (int& lane : valid) lane = -1;
-    alignas(64) typename Packet<N>::RayHit query;
+    alignas(64) typename Packet::RayHit query;
     fill_constants<N>(query.ray, &job.camera->origin);
     const CameraFrame camera = *job.camera;
     const auto along = [&](auto x, auto y, float corner, float right, float down) HWY_ATTR {
@@ -167,7 +213,7 @@ HWY_NOINLINE void trace_tile(const EmbreeTile& job) {
                 hn::Store(hn::Set(du, RTC_INVALID_GEOMETRY_ID), du, query.hit.geomID + k);
                 hn::Store(hn::Set(du, RTC_INVALID_GEOMETRY_ID), du, query.hit.instID[0] + k);
             }
-            Packet<N>::intersect(valid, job.embree.scene, &context, &query);
+            Packet::intersect(valid, job.embree.scene, &context, &query);
             alignas(64) std::uint32_t pixels[N];
             for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
                 const Vec3<D> direction = {hn::Load(d, query.ray.dir_x + k), hn::Load(d, query.ray.dir_y + k),
@@ -190,13 +236,14 @@ HWY_INLINE hn::Vec<D> lanes_of(D d, const float* column, std::uint64_t i, std::u
     return hn::Load(d, copy);
 }
 
-template <int N>
+template <class Packet>
 HWY_NOINLINE void trace_rays(const EmbreeRays& job) {
+    constexpr int N = Packet::lanes;
     const Floats<N> d;
     const hn::RebindToUnsigned<Floats<N>> du;
     RTCIntersectContext context = context_of(job.embree);
     alignas(64) int valid[N];
-    alignas(64) typename Packet<N>::RayHit query;
+    alignas(64) typename Packet::RayHit query;
     alignas(64) float metres[N];
     fill_constants<N>(query.ray, nullptr);
     for (std::uint64_t i = job.begin; i < job.end; i += N) {
@@ -221,7 +268,7 @@ HWY_NOINLINE void trace_rays(const EmbreeRays& job) {
         }
         const auto count = static_cast<int>(job.end - i < N ? job.end - i : N);
         for (int k = 0; k < N; ++k) valid[k] = k < count ? -1 : 0;
-        Packet<N>::intersect(valid, job.embree.scene, &context, &query);
+        Packet::intersect(valid, job.embree.scene, &context, &query);
         for (int k = 0; k < count; ++k) {
             const bool is_hit = query.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
             const bool is_limited = job.max_distance != nullptr && job.max_distance[i + k] < 1e30f;
@@ -235,12 +282,13 @@ HWY_NOINLINE void trace_rays(const EmbreeRays& job) {
     }
 }
 
-template <int N>
+template <class Packet>
 HWY_NOINLINE void trace_segments(const EmbreeSegments& job) {
+    constexpr int N = Packet::lanes;
     const Floats<N> d;
     RTCIntersectContext context = context_of(job.embree);
     alignas(64) int valid[N];
-    alignas(64) typename Packet<N>::Ray ray;
+    alignas(64) typename Packet::Ray ray;
     fill_constants<N>(ray, nullptr);
     for (std::uint64_t i = job.begin; i < job.end; i += N) {
         for (std::size_t k = 0; k < N; k += hn::Lanes(d)) {
@@ -260,14 +308,28 @@ HWY_NOINLINE void trace_segments(const EmbreeSegments& job) {
         }
         const auto count = static_cast<int>(job.end - i < N ? job.end - i : N);
         for (int k = 0; k < N; ++k) valid[k] = k < count ? -1 : 0;
-        Packet<N>::occluded(valid, job.embree.scene, &context, &ray);
+        Packet::occluded(valid, job.embree.scene, &context, &ray);
         for (int k = 0; k < count; ++k) job.visible[i + k] = ray.tfar[k] >= 0 ? 1 : 0;
     }
 }
 
-void tile(const EmbreeTile& job, int lanes) { lanes == 8 ? trace_tile<8>(job) : trace_tile<16>(job); }
-void rays(const EmbreeRays& job, int lanes) { lanes == 8 ? trace_rays<8>(job) : trace_rays<16>(job); }
-void segments(const EmbreeSegments& job, int lanes) { lanes == 8 ? trace_segments<8>(job) : trace_segments<16>(job); }
+template <class Job>
+using Loop = void (*)(const Job&);
+
+template <class Job>
+void run(const Job& job, int lanes, Loop<Job> single, Loop<Job> eight, Loop<Job> sixteen) {
+    (lanes == 1 ? single : lanes == 8 ? eight : sixteen)(job);
+}
+
+void tile(const EmbreeTile& job, int lanes) {
+    run(job, lanes, trace_tile<Single>, trace_tile<Eight>, trace_tile<Sixteen>);
+}
+void rays(const EmbreeRays& job, int lanes) {
+    run(job, lanes, trace_rays<Single>, trace_rays<Eight>, trace_rays<Sixteen>);
+}
+void segments(const EmbreeSegments& job, int lanes) {
+    run(job, lanes, trace_segments<Single>, trace_segments<Eight>, trace_segments<Sixteen>);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace enfilade::render::detail

@@ -51,7 +51,7 @@ struct EmbreeSegments {
     std::uint64_t begin, end;
 };
 
-/// `lanes` rays a call: 8 or 16.
+/// `lanes` rays a call: 1, 8 or 16.
 void embree_tile(const EmbreeTile& job, int lanes);
 void embree_rays(const EmbreeRays& job, int lanes);
 void embree_segments(const EmbreeSegments& job, int lanes);

@@ -3,7 +3,6 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 #if defined(__SSE2__)
@@ -13,12 +12,10 @@
 #include "base/error.h"
 #include "render/embree_loops.h"
 #include "render/embree_mesh.h"
-#include "render/shade.h"
 
 namespace enfilade::render {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr int tile_side = 64;
 constexpr std::size_t chunk_rays = 1 << 13;
 
@@ -47,83 +44,51 @@ private:
     unsigned saved_ = 0;
 };
 
-RTCIntersectContext context_of(const detail::EmbreeScene& embree) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = embree.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    return context;
-}
+/// Single rays as columns, and their answers.
+class Block {
+public:
+    static constexpr std::size_t size = 64;
 
-Vec3f lambert(const detail::PrimitiveLook& primitive, const Look& look, Vec3f normal, Vec3f direction) {
-    if ((primitive.source_face & detail::sky_bit) != 0) return sky_colour(look, direction);
-    const float cosine = magnitude(dot(normal, direction)) / root(dot(normal, normal) * dot(direction, direction));
-    return cosine * Vec3f{primitive.red, primitive.green, primitive.blue};
-}
-
-void trace_tile(const detail::EmbreeTile& job) {
-    RTCIntersectContext context = context_of(job.embree);
-    const CameraFrame camera = *job.camera;
-    const Vec3f o = camera.origin;
-    for (int y = job.y0; y < job.y1; ++y) {
-        for (int x = job.x0; x < job.x1; ++x) {
-            const Vec3f d = camera.direction(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-            RTCRayHit query;
-            query.ray = {o.x, o.y, o.z, 0, d.x, d.y, d.z, 0, infinity, ~0u, 0, 0};
-            query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(job.embree.scene, &context, &query);
-            Vec3f colour = {1, 0, 1};
-            if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
-                colour = lambert(job.embree.looks[query.hit.primID], *job.look,
-                                 {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}, d);
-            job.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x] = encoded(colour);
+    /// \pre no more than `size` of them
+    explicit Block(std::span<const RayQuery> rays) : count_(rays.size()) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec3f o = vec_cast<float>(rays[i].origin), d = vec_cast<float>(rays[i].direction);
+            for (std::size_t k = 0; k < 3; ++k) {
+                origin_[k][i] = k == 0 ? o.x : k == 1 ? o.y : o.z;
+                direction_[k][i] = k == 0 ? d.x : k == 1 ? d.y : d.z;
+            }
+            limit_[i] = static_cast<float>(std::min(rays[i].max_distance, 3e38));
         }
     }
-}
-
-void trace_columns(const detail::EmbreeRays& job) {
-    RTCIntersectContext context = context_of(job.embree);
-    for (std::uint64_t i = job.begin; i < job.end; ++i) {
-        const Vec3f d = {job.direction[0][i], job.direction[1][i], job.direction[2][i]};
-        const float metres = length(d);
-        const bool is_limited = job.max_distance != nullptr && job.max_distance[i] < 1e30f;
-        RTCRayHit query;
-        query.ray = {job.origin[0][i],
-                     job.origin[1][i],
-                     job.origin[2][i],
-                     job.skin / metres,
-                     d.x,
-                     d.y,
-                     d.z,
-                     0,
-                     is_limited ? job.max_distance[i] / metres : infinity,
-                     ~0u,
-                     0,
-                     0};
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(job.embree.scene, &context, &query);
-        const bool is_hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-        if (job.distance != nullptr) job.distance[i] = query.ray.tfar * metres;
-        if (job.source_face != nullptr)
-            job.source_face[i] = static_cast<accel::SourceFaceId>(
-                is_hit ? job.embree.looks[query.hit.primID].source_face & ~detail::sky_bit : ~0u);
-        if (job.status != nullptr)
-            job.status[i] = is_hit ? WalkStatus::Hit : (is_limited ? WalkStatus::Reached : WalkStatus::Leak);
+    [[nodiscard]] detail::EmbreeRays job(const detail::EmbreeScene& embree) {
+        return {embree,
+                {origin_[0], origin_[1], origin_[2]},
+                {direction_[0], direction_[1], direction_[2]},
+                limit_,
+                0,
+                distance_,
+                face_,
+                status_,
+                0,
+                count_};
     }
-}
-
-void trace_segments(const detail::EmbreeSegments& job) {
-    RTCIntersectContext context = context_of(job.embree);
-    for (std::uint64_t i = job.begin; i < job.end; ++i) {
-        const Vec3f p = {job.from[0][i], job.from[1][i], job.from[2][i]};
-        const Vec3f d = Vec3f{job.to[0][i], job.to[1][i], job.to[2][i]} - p;
-        const float skin = job.skin / length(d);
-        RTCRay ray = {p.x, p.y, p.z, skin, d.x, d.y, d.z, 0, 1 - skin, ~0u, 0, 0};
-        rtcOccluded1(job.embree.scene, &context, &ray);
-        job.visible[i] = ray.tfar >= 0 ? 1 : 0;
+    void answer(std::span<RayHit> hits) const {
+        for (std::size_t i = 0; i < count_; ++i) {
+            hits[i] = {};
+            hits[i].status = status_[i];
+            hits[i].throughput = {1, 1, 1};
+            if (status_[i] != WalkStatus::Hit) continue;
+            hits[i].source_face = face_[i];
+            hits[i].distance = double{distance_[i]};
+        }
     }
-}
+
+private:
+    std::size_t count_;
+    float origin_[3][size], direction_[3][size], limit_[size], distance_[size];
+    accel::SourceFaceId face_[size];
+    WalkStatus status_[size];
+};
 
 /// One of Embree's scenes, and what its primitives look like.
 class BuiltScene {
@@ -210,19 +175,10 @@ EmbreeReference& EmbreeReference::operator=(EmbreeReference&&) noexcept = defaul
 
 void EmbreeReference::trace(std::span<const RayQuery> rays, std::span<RayHit> hits) const {
     const detail::EmbreeScene embree = state_->asked({.lanes = 1, .coherent = false, .faces = EmbreeFaces::Triangles});
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const Vec3f o = vec_cast<float>(rays[i].origin), d = vec_cast<float>(rays[i].direction);
-        const auto limit = static_cast<float>(std::min(rays[i].max_distance, 3e38));
-        WalkStatus status = WalkStatus::Leak;
-        accel::SourceFaceId face = {};
-        float distance = 0;
-        trace_columns({embree, {&o.x, &o.y, &o.z}, {&d.x, &d.y, &d.z}, &limit, 0, &distance, &face, &status, 0, 1});
-        hits[i] = {};
-        hits[i].status = status;
-        hits[i].throughput = {1, 1, 1};
-        if (status != WalkStatus::Hit) continue;
-        hits[i].source_face = face;
-        hits[i].distance = double{distance};
+    for (std::size_t begin = 0; begin < rays.size(); begin += Block::size) {
+        Block block(rays.subspan(begin, std::min(Block::size, rays.size() - begin)));
+        detail::embree_rays(block.job(embree), 1);
+        block.answer(hits.subspan(begin));
     }
 }
 
@@ -243,7 +199,7 @@ void EmbreeReference::trace_lambert(const CameraFrame& frame, EmbreeWay way, con
                                         y,
                                         std::min(x + tile_side, image.width),
                                         std::min(y + tile_side, image.height)};
-        way.lanes == 1 ? trace_tile(job) : detail::embree_tile(job, way.lanes);
+        detail::embree_tile(job, way.lanes);
     });
 }
 
@@ -262,7 +218,7 @@ void EmbreeReference::nearest(const RayColumns& rays, const HitColumns& hits, Em
                                         column_of(hits.status),
                                         begin,
                                         end};
-        way.lanes == 1 ? trace_columns(job) : detail::embree_rays(job, way.lanes);
+        detail::embree_rays(job, way.lanes);
     });
 }
 
@@ -277,7 +233,7 @@ void EmbreeReference::visible(const SegmentColumns& segments, std::span<std::uin
                                             visible.data(),
                                             begin,
                                             end};
-        way.lanes == 1 ? trace_segments(job) : detail::embree_segments(job, way.lanes);
+        detail::embree_segments(job, way.lanes);
     });
 }
 

@@ -52,7 +52,7 @@ public:
     void trace(std::span<const RayQuery> rays, std::span<RayHit> hits) const;
 
     /// The picture of `trace_lambert`: same rays, same shading, same framebuffer. Glass does not tint.
-    /// \pre image has the camera's size, which for packets is a multiple of 4 both ways
+    /// \pre image has the camera's size, a multiple of 4 both ways
     void trace_lambert(const CameraFrame& frame, EmbreeWay way, const accel::Executor& executor,
                        Framebuffer& image) const;
 
