@@ -12,8 +12,7 @@
 #include "modeler/convexify.h"
 #include "modeler/export_scene.h"
 #include "plans/generate.h"
-#include "render/oracle.h"
-#include "tools/bench.h"
+#include "tools/bench_dial.h"
 #include "tools/contest.h"
 #include "tools/convexifiers.h"
 #include "tools/cut_building.h"
@@ -173,44 +172,6 @@ void dial_sagitta(Bench& bench, const plans::Plan& plan, const std::string& name
     }
 }
 
-/// Float against double in the walk: the only option that changes no scene. Errors are against the oracle.
-void dial_precision(Bench& bench, const plans::Plan& plan, const std::string& name, std::size_t count) {
-    const Built built = build_scene(plan, {});
-    const accel::SceneView& scene = built.scene.view();
-    const render::Oracle oracle(scene);
-    const std::vector<render::RayQuery> timed = RandomRays(scene, 11).take(bench.quick() ? 200'000 : 2'000'000);
-    const std::vector<render::RayQuery> checked(timed.begin(), timed.begin() + std::ptrdiff_t(count));
-    std::vector<render::RayHit> hits(timed.size());
-    const Duel duel_of_both = duel(
-        bench.quick() ? 3 : 7, [&] { render::trace_rays(scene, timed, hits, render::Precision::Float); },
-        [&] { render::trace_rays(scene, timed, hits, render::Precision::Double); });
-    for (const render::Precision precision : {render::Precision::Float, render::Precision::Double}) {
-        const bool is_float = precision == render::Precision::Float;
-        const std::string setting = is_float ? "walk float" : "walk double";
-        const double seconds = is_float ? duel_of_both.a_seconds : duel_of_both.b_seconds;
-        std::vector<render::RayHit> answers(checked.size());
-        render::trace_rays(scene, checked, answers, precision);
-        const render::Agreement agreement = render::compare(oracle, checked, answers, render::error_band(scene));
-        const double per_million = 1e6 / double(agreement.rays);
-        bench.add({.row = setting + ": speed",
-                   .scene = name,
-                   .value = double(timed.size()) / seconds / 1e6,
-                   .unit = "Mrays/s"});
-        bench.add({.row = setting + ": other face, inside the band",
-                   .scene = name,
-                   .value = double(agreement.differing_inside_band) * per_million,
-                   .unit = "per million"});
-        bench.add({.row = setting + ": other face, no edge near",
-                   .scene = name,
-                   .value = double(agreement.differing_outside_band) * per_million,
-                   .unit = "per million"});
-        bench.add({.row = setting + ": largest error of the distance",
-                   .scene = name,
-                   .value = agreement.largest_distance_error * 1000,
-                   .unit = "mm"});
-    }
-}
-
 }  // namespace
 
 void bench_dial(Bench& bench) {
@@ -221,7 +182,7 @@ void bench_dial(Bench& bench) {
     dial_snap(bench, plan, name, rays);
     dial_sagitta(bench, plan, name, rays);
     dial_convexify(bench, plan, name, rays);
-    dial_precision(bench, plan, name, bench.quick() ? 20'000 : 200'000);
+    dial_tracers(bench, build_scene(plan, {}).scene.view(), name);
 }
 
 }  // namespace enfilade::tools
