@@ -147,13 +147,18 @@ void StreamJudge::judge(const Answer& a, StreamVerdict& verdict) const {
         ++verdict.outside_band;
         return note("another end");
     }
+    RayHit answered = a.expected;
+    answered.source_face = a.face;
+    answered.distance = a.distance;
     if (a.face != a.expected.source_face) {
         ++verdict.differing;
-        if (is_doubtful(a.ray, a.expected) || oracle_.plane_distance(a.ray.origin, a.face) <= band_) return;
+        if (is_doubtful(a.ray, a.expected) || is_doubtful(a.ray, answered)) return;
         ++verdict.outside_band;
         return note("another face");
     }
     if (std::abs(a.distance - a.expected.distance) <= distance_error(a)) return;
+    // In the very plane of a face, a ray may meet either end of it.
+    if (oracle_.plane_distance(a.ray.origin, a.face) <= band_ && is_doubtful(a.ray, answered)) return;
     ++verdict.wrong_distance;
     note("a wrong distance");
 }
