@@ -110,25 +110,27 @@ HWY_INLINE hn::Vec<D> inverse_root(D d, hn::Vec<D> a) {
     return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5f)));
 }
 
+/// A channel of a framebuffer from the square root of its light.
 template <class D>
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(D d, hn::Vec<D> linear) {
-    const auto clipped = hn::Min(hn::Max(linear, hn::Zero(d)), hn::Set(d, 1.0f));
-    const auto channel = hn::MulAdd(hn::Set(d, 255.0f), hn::Sqrt(clipped), hn::Set(d, 0.5f));
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(D d, hn::Vec<D> root) {
+    const auto channel = hn::MulAdd(hn::Set(d, 255.0f), hn::Min(root, hn::Set(d, 1.0f)), hn::Set(d, 0.5f));
     return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), channel));
 }
 
+/// Square roots of the sky's light.
 template <class D>
 HWY_INLINE Vec3<D> sky(D d, const Look& look, const Vec3<D>& direction) {
     const auto up = hn::Mul(direction.z, inverse_root(d, dot<D>(direction, direction)));
     const auto blend = hn::Sqrt(hn::Max(up, hn::Zero(d)));
     const auto between = [&](float horizon, float zenith) {
-        return hn::MulAdd(blend, hn::Set(d, zenith - horizon), hn::Set(d, horizon));
+        return hn::Sqrt(hn::MulAdd(blend, hn::Set(d, zenith - horizon), hn::Set(d, horizon)));
     };
     return {between(look.sky_horizon.x, look.sky_zenith.x), between(look.sky_horizon.y, look.sky_zenith.y),
             between(look.sky_horizon.z, look.sky_zenith.z)};
 }
 
-/// What Lambert's shading makes of lanes of hits; magenta where there is none. Most packets see one primitive.
+/// What Lambert's shading makes of lanes of hits; magenta where there is none. Most packets see one primitive. Square
+/// roots of colours are multiplied by those of cosines: one root for three channels.
 template <class D, class Hit>
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(D d, const EmbreeTile& job, const Vec3<D>& direction, const Hit& hit,
                                                    std::size_t k) {
@@ -138,7 +140,7 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(D d, const EmbreeTile& job, c
     const auto primitive = hn::IfThenElseZero(has_hit, hn::Load(du, hit.primID + k));
     const Vec3<D> normal = {hn::Load(d, hit.Ng_x + k), hn::Load(d, hit.Ng_y + k), hn::Load(d, hit.Ng_z + k)};
     const auto scale = hn::Mul(dot<D>(normal, normal), dot<D>(direction, direction));
-    const auto cosine = hn::Mul(hn::Abs(dot<D>(normal, direction)), inverse_root(d, scale));
+    const auto lit = hn::Sqrt(hn::Mul(hn::Abs(dot<D>(normal, direction)), inverse_root(d, scale)));
     const bool is_one = hn::AllTrue(du, hn::And(has_hit, hn::Eq(primitive, hn::Set(du, hn::GetLane(primitive)))));
     Vec3<D> colour;
     hn::Mask<D> is_sky;
@@ -154,7 +156,7 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(D d, const EmbreeTile& job, c
         const auto face = hn::BitCast(di, hn::GatherIndex(d, looks + 3, place));
         is_sky = hn::RebindMask(d, hn::Lt(face, hn::Zero(di)));
     }
-    colour = {hn::Mul(colour.x, cosine), hn::Mul(colour.y, cosine), hn::Mul(colour.z, cosine)};
+    colour = {hn::Mul(colour.x, lit), hn::Mul(colour.y, lit), hn::Mul(colour.z, lit)};
     if (!hn::AllFalse(d, is_sky)) {
         const Vec3<D> above = sky(d, *job.look, direction);
         colour = {hn::IfThenElse(is_sky, above.x, colour.x), hn::IfThenElse(is_sky, above.y, colour.y),

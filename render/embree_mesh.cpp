@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/math.h"
+
 namespace enfilade::render::detail {
 namespace {
 
@@ -29,7 +31,7 @@ private:
         const accel::SourceFace& face = scene_.source_faces[target.bits];
         const auto& colour = scene_.materials[index(face.material)].colour;
         const std::uint32_t sky = face.surface == accel::Surface::Sky ? sky_bit : 0;
-        mesh.looks.push_back({colour[0], colour[1], colour[2], target.bits | sky});
+        mesh.looks.push_back({root(colour[0]), root(colour[1]), root(colour[2]), target.bits | sky});
     }
 
     /// The convex polygon whose corners are the vertices from `first`.

@@ -11,7 +11,7 @@ namespace enfilade::render::detail {
 
 /// What a primitive looks like: one 16-byte load.
 struct PrimitiveLook {
-    float red, green, blue;     ///< diffuse reflectance
+    float red, green, blue;     ///< square roots of the diffuse reflectance, as framebuffers hold it
     std::uint32_t source_face;  ///< with `sky_bit` where it is sky
 };
 inline constexpr std::uint32_t sky_bit = 1u << 31;

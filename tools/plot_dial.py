@@ -11,7 +11,8 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
-NAMED_ROW = re.compile(r"(convexify) (\S+): (.+)")
+NAMED_ROW = re.compile(r"(convexify|real|tracer) (\S+): (.+)")
+PACKET_ROW = re.compile(r"packet (\d+) to (\d+): speed")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
 CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
@@ -27,13 +28,23 @@ def curves(rows):
 
 
 def bars(rows):
-    """quantity -> value of the option -> measured, for the option --convexify: no error, agreement is exact"""
+    """option -> quantity -> value of the option -> measured, for options that are chosen by name"""
     found = {}
     for row in rows:
         match = NAMED_ROW.fullmatch(row["row"]) if row["bench"] == "dial" else None
         if match:
-            found.setdefault(match[3], {})[match[2]] = row["value"]
+            found.setdefault(match[1], {}).setdefault(match[3], {})[match[2]] = row["value"]
     return found
+
+
+def packets(rows):
+    """smallest packet -> sorted [(largest packet, Mrays/s)]"""
+    found = {}
+    for row in rows:
+        match = PACKET_ROW.fullmatch(row["row"]) if row["bench"] == "dial" else None
+        if match:
+            found.setdefault(int(match[2]), []).append((int(match[1]), row["value"]))
+    return {smallest: sorted(points) for smallest, points in found.items()}
 
 
 def draw_bars(panel, named, label, scale=1):
@@ -42,11 +53,34 @@ def draw_bars(panel, named, label, scale=1):
     panel.grid(True, axis="y", alpha=0.3)
 
 
+def draw_tracing(panels, named_bars, sizes):
+    """Who traces, in which precision, by packets of which sizes: these change no scene."""
+    real, tracer, packet = panels
+    if "real" in named_bars:
+        draw_bars(real, named_bars["real"]["speed"], "random rays, scalar (Mrays/s)")
+        errors = named_bars["real"]["largest error of the distance"]
+        for place, error in enumerate(errors.values()):
+            real.annotate(f"{error:.1g} mm", (place, 0), ha="center", va="bottom", color="white")
+        real.set(title="how rays are traced")
+    if "tracer" in named_bars:
+        draw_bars(tracer, named_bars["tracer"]["speed"], "pictures (Mrays/s)")
+    for smallest, points in sorted(sizes.items()):
+        packet.semilogx(*zip(*points), "o-", base=2, label=f"smallest {smallest}")
+    if sizes:
+        packet.set(xlabel="largest packet (pixels a side)", ylabel="pictures by packets (Mrays/s)", ylim=(0, None))
+        values = sorted({largest for points in sizes.values() for largest, _ in points})
+        packet.set_xticks(values, [str(value) for value in values])
+        packet.legend()
+        packet.grid(True, which="both", alpha=0.3)
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = json.load(file)["rows"]
-    options, ways = curves(rows), bars(rows)
-    columns = len(options) + bool(ways)
+    options, named_bars, sizes = curves(rows), bars(rows), packets(rows)
+    ways = named_bars.get("convexify")
+    tracing = {"real", "tracer"} & set(named_bars) or sizes
+    columns = len(options) + bool(ways) + bool(tracing)
     figure, axes = pyplot.subplots(3, columns, figsize=(4.6 * columns, 8), layout="constrained", squeeze=False)
     for (error, time, memory), (option, named) in zip(axes.T, options.items()):
         for name, legend in CURVES:
@@ -62,11 +96,13 @@ def main():
         for panel in (error, time, memory):
             panel.grid(True, which="both", alpha=0.3)
     if ways:
-        speed, time, memory = axes[:, -1]
+        speed, time, memory = axes[:, len(options)]
         draw_bars(speed, ways["speed"], "random rays (Mrays/s)")
         speed.set(title="how rooms are cut")
         draw_bars(time, ways["time"], "plan to scene (ms)", 1000)
         draw_bars(memory, ways["memory"], "scene (MB)")
+    if tracing:
+        draw_tracing(axes[:, -1], named_bars, sizes)
     figure.savefig(sys.argv[2], metadata={"Date": None})
 
 
