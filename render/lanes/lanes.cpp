@@ -31,6 +31,8 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/leave-inl.h"
 //
+#include "render/lanes/eye-inl.h"
+//
 #include "render/lanes/walk-inl.h"
 //
 #include "render/lanes/fill-inl.h"

@@ -16,45 +16,55 @@ class Packets {
 public:
     static constexpr int corner_count = 16;
     static constexpr int tile_rays = 16;  ///< of blocks in the smallest tiles
-    using Corners = Rays<corner_count>;
 
     Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
         : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
 
     /// Traces a tile from where its rays are.
     void trace(const Tile& tile, Bundle bundle) {
-        if (tile.side <= job_.packets.smallest)
-            return trace_blocks<tile_rays>(job_, scene_, bundle, clipped(tile), events_);
+        const Rectangle at = clipped(tile);
+        if (tile.side <= job_.packets.smallest) return trace_blocks<tile_rays>(job_, scene_, bundle, at, events_);
         events_.began_tile();
-        Bits corners = 0;
-        Corners rays = corner_rays(tile, bundle, corners);
+        Bits present = 0;
+        const Points<corner_count> directions = corner_directions(tile, present);
+        const Corners4 around(*job_.camera, static_cast<float>(at.x0) + 0.5f, static_cast<float>(at.y0) + 0.5f,
+                              static_cast<float>(at.x1) - 0.5f, static_cast<float>(at.y1) - 0.5f);
+        EyeRays<corner_count> rays(job_.camera->origin, directions, around);
+        if (bundle.is_mirrored) rays.mirror(bundle.mirror_level);
         const std::uint64_t most_steps = scene_.cells.count + 16;
+        Ways ways;
         for (std::uint64_t step = 0; step < most_steps; ++step) {
             const accel::Cell& cell = scene_.cells[bundle.cell];
             events_.entered_cell(cell.section_count);
-            way_count_ = 0;
-            const Bits alone = leave_cell_together(scene_, rays, cell, corners, *this);
-            if (alone != 0 || way_count_ != 1) break;
-            const Way way = ways_[0];
+            ways.size = 0;
+            const Bits alone =
+                leave_cell_together(scene_, rays, cell, present, [&](const Way& way) HWY_ATTR { ways.add(way); });
+            if (alone != 0 || ways.size != 1) break;
+            const Way& way = ways.of[0];
             if (way.target.is_portal()) {
                 go_on(way, bundle);
             } else if (!meets_mirror(way, bundle)) {
-                return fill_tile(clipped(tile), way, bundle);
+                return fill_tile(at, way, bundle);
             } else {
                 reflect(way, bundle);
-                rays = mirrored(rays, Floats<corner_count>(bundle.mirror_level));
+                rays.mirror(bundle.mirror_level);
             }
         }
         events_.split_tile();
-        split(tile, bundle);
-    }
-
-    HWY_INLINE void operator()(const Way& way, const Crossings<corner_count>&) const {
-        if (way_count_ < corner_count) ways_[way_count_++] = way;
+        split(tile, bundle, ways);
     }
 
 private:
     static constexpr Bits quarter_bits = 0xfu;
+
+    /// Faces by which corners leave a cell.
+    struct Ways {
+        int size = 0;
+        Way of[corner_count];  // as many as are said
+
+        Ways() {}
+        HWY_INLINE void add(const Way& way) { of[size++] = way; }
+    };
 
     [[nodiscard]] Rectangle clipped(const Tile& tile) const {
         return {tile.x, tile.y, tile.x + tile.side < job_.x1 ? tile.x + tile.side : job_.x1,
@@ -63,13 +73,13 @@ private:
 
     /// Through the centres of the pixels at the corners of the four quarters; lanes 4 q to 4 q + 3 belong to quarter q.
     /// Quarters beyond the image have none.
-    Corners corner_rays(const Tile& tile, const Bundle& bundle, Bits& corners) const {
+    Points<corner_count> corner_directions(const Tile& tile, Bits& present) const {
         HWY_ALIGN float x[corner_count];
         HWY_ALIGN float y[corner_count];
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
             const Rectangle at = clipped({tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half});
-            if (at.x0 < at.x1 && at.y0 < at.y1) corners |= quarter_bits << (4 * q);
+            if (at.x0 < at.x1 && at.y0 < at.y1) present |= quarter_bits << (4 * q);
             const float x0 = static_cast<float>(at.x0) + 0.5f, x1 = static_cast<float>(at.x1) - 0.5f;
             const float y0 = static_cast<float>(at.y0) + 0.5f, y1 = static_cast<float>(at.y1) - 0.5f;
             x[4 * q] = x[4 * q + 2] = x0;
@@ -77,9 +87,7 @@ private:
             y[4 * q] = y[4 * q + 1] = y0;
             y[4 * q + 2] = y[4 * q + 3] = y1;
         }
-        const Corners rays = make_rays(everywhere<corner_count>(job_.camera->origin),
-                                       directions(*job_.camera, load<corner_count>(x), load<corner_count>(y)));
-        return bundle.is_mirrored ? mirrored(rays, Floats<corner_count>(bundle.mirror_level)) : rays;
+        return directions(*job_.camera, load<corner_count>(x), load<corner_count>(y));
     }
 
     [[nodiscard]] bool meets_mirror(const Way& way, const Bundle& bundle) const {
@@ -120,10 +128,7 @@ private:
     }
 
     /// Quarters whose corners agree go on by themselves, the others from this cell.
-    void split(const Tile& tile, const Bundle& bundle) {
-        const int way_count = way_count_;
-        Way ways[corner_count];
-        for (int i = 0; i < way_count; ++i) ways[i] = ways_[i];
+    void split(const Tile& tile, const Bundle& bundle, const Ways& ways) {
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
             const Tile quarter = {tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half};
@@ -131,8 +136,8 @@ private:
             if (at.x0 >= at.x1 || at.y0 >= at.y1) continue;
             const Bits bits = quarter_bits << (4 * q);
             const Way* one = nullptr;
-            for (int i = 0; i < way_count; ++i)
-                if ((ways[i].rays & bits) == bits) one = &ways[i];
+            for (int i = 0; i < ways.size; ++i)
+                if ((ways.of[i].rays & bits) == bits) one = &ways.of[i];
             Bundle part = bundle;
             if (one == nullptr) {
                 trace(quarter, part);
@@ -152,8 +157,6 @@ private:
     const detail::TileJob& job_;
     const accel::SceneView& scene_;
     Events& events_;
-    mutable Way ways_[corner_count];
-    mutable int way_count_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -89,18 +89,24 @@ HWY_INLINE Bits rays_within(const Rectangle& at) {
 
 /// What the floors mirror, added to the light of the floors themselves.
 template <int N, class Events>
-HWY_NOINLINE void reflect_block(const Seen<N>& seen, const Floats<N>& inverse_length, Tints<N>& tints, Light<N>& light,
+HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const Floats<N>& inverse_length, Tints<N>& tints, Light<N>& light,
                                 Events& events) {
     for (Bits left = seen.mirrors; left != 0; left &= left - 1) events.began_walk();
-    const Rays<N> rays = mirrored(seen.rays, seen.mirror_level);
-    Seen<N> reflected(seen.job, seen.scene, rays, true);
-    walk_together(seen.scene, rays, seen.mirror_groups, Unlimited<N>{}, tints, reflected, events);
+    const Rays<N> turned = mirrored(rays, seen.mirror_level);
+    Seen<N> reflected(seen.job, seen.scene, turned.direction, true);
+    walk_together(seen.scene, turned, seen.mirror_groups, Unlimited{}, tints, reflected, events);
     const Light<N> more = light_of(reflected, inverse_length, tints);
     const Floats<N> share(seen.job.mirror_floor), rest(1 - seen.job.mirror_floor);
     light = choose_light(
         seen.mirrors,
         Light<N>{rest * light.r + share * more.r, rest * light.g + share * more.g, rest * light.b + share * more.b},
         light);
+}
+
+/// Out of line, lest the compiler compute both and choose.
+template <int N>
+HWY_NOINLINE Floats<N> exact_inverse_root(const Floats<N>& a) {
+    return Floats<N>(1) / root_of(a);
 }
 
 /// Traces a block's rays from the bundle's cell and writes their light.
@@ -110,21 +116,24 @@ HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& 
     using F = Floats<N>;
     const F x = F(static_cast<float>(at.x0)) + load<N>(block_centres<N>.x);
     const F y = F(static_cast<float>(at.y0)) + load<N>(block_centres<N>.y);
-    const Points<N> d = directions(*job.camera, x, y);
-    Rays<N> rays = make_rays(everywhere<N>(job.camera->origin), d);
-    if (HWY_UNLIKELY(bundle.is_mirrored)) rays = mirrored(rays, F(bundle.mirror_level));
-    Seen<N> seen(job, scene, rays, bundle.is_mirrored);
+    const Corners4 corners(*job.camera, static_cast<float>(at.x0) + 0.5f, static_cast<float>(at.y0) + 0.5f,
+                           static_cast<float>(at.x0 + block_width<N>) - 0.5f,
+                           static_cast<float>(at.y0 + block_height) - 0.5f);
+    EyeRays<N> rays(job.camera->origin, directions(*job.camera, x, y), corners);
+    if (HWY_UNLIKELY(bundle.is_mirrored)) rays.mirror(bundle.mirror_level);
+    Seen<N> seen(job, scene, rays.direction, bundle.is_mirrored);
     Tints<N> tints;
     Groups groups;
     const Bits active = rays_within<N>(at);
     groups.add(bundle.cell, active);
     for (Bits left = active; left != 0; left &= left - 1) events.began_walk();
-    walk_together(scene, rays, groups, Unlimited<N>{}, tints, seen, events);
+    walk_together(scene, rays, groups, Unlimited{}, tints, seen, events);
 
-    const F squared = dot_lanes(d, d);
-    const F inverse_length = job.rgb == nullptr ? quick_inverse_root(squared) : F(1) / root_of(squared);
+    const F squared = dot_lanes(rays.direction, rays.direction);
+    F inverse_length = quick_inverse_root(squared);
+    if (job.rgb != nullptr) inverse_length = exact_inverse_root(squared);
     Light<N> light = light_of(seen, inverse_length, tints);
-    if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(seen, inverse_length, tints, light, events);
+    if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(rays.all(), seen, inverse_length, tints, light, events);
     if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1})))
         light = {light.r * F(bundle.tint.x), light.g * F(bundle.tint.y), light.b * F(bundle.tint.z)};
     for (int k = 0; k < bundle.layers.count; ++k) {

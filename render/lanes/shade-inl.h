@@ -34,7 +34,7 @@ template <int N>
 struct Seen {
     const detail::TileJob& job;
     const accel::SceneView& scene;
-    const Rays<N>& rays;
+    const Points<N>& direction;
     Floats<N> cosine{0};  ///< times the direction's length
     Floats<N> red{0}, green{0}, blue{0};
     Bits sky = 0;
@@ -44,10 +44,10 @@ struct Seen {
     Floats<N> mirror_level{0};
     bool is_mirrored;
 
-    Seen(const detail::TileJob& job_, const accel::SceneView& scene_, const Rays<N>& rays_, bool is_mirrored_)
-        : job(job_), scene(scene_), rays(rays_), is_mirrored(is_mirrored_) {}
+    Seen(const detail::TileJob& job_, const accel::SceneView& scene_, const Points<N>& direction_, bool is_mirrored_)
+        : job(job_), scene(scene_), direction(direction_), is_mirrored(is_mirrored_) {}
 
-    HWY_INLINE void hit(const Way& way, std::uint32_t cell, const Crossings<N>&) {
+    HWY_INLINE void hit(const Way& way, std::uint32_t cell, const auto&...) {
         const accel::SourceFace& face = scene.source_faces[way.target.bits];
         if (face.surface == accel::Surface::Sky) {
             sky |= way.rays;
@@ -57,8 +57,8 @@ struct Seen {
         const Vec3f n = outward_normal(scene, way);
         // Of a level face n.x and n.y are 0, of an upright one n.z is.
         const Floats<N> facing =
-            fused_lanes(Floats<N>(n.x), rays.direction.x,
-                        fused_lanes(Floats<N>(n.y), rays.direction.y, Floats<N>(n.z) * rays.direction.z));
+            fused_lanes(Floats<N>(n.x), direction.x,
+                        fused_lanes(Floats<N>(n.y), direction.y, Floats<N>(n.z) * direction.z));
         cosine = choose(way.rays, facing, cosine);
         red = choose(way.rays, Floats<N>(colour.x), red);
         green = choose(way.rays, Floats<N>(colour.y), green);
@@ -103,7 +103,7 @@ template <int N>
 HWY_INLINE Light<N> light_of(const Seen<N>& seen, const Floats<N>& inverse_length, const Tints<N>& tints) {
     const Floats<N> lit = largest(seen.cosine, Floats<N>(0)) * inverse_length;
     Light<N> light = {lit * seen.red, lit * seen.green, lit * seen.blue};
-    if (seen.sky != 0) add_sky(*seen.job.look, seen.sky, seen.rays.direction.z, inverse_length, light);
+    if (seen.sky != 0) add_sky(*seen.job.look, seen.sky, seen.direction.z, inverse_length, light);
     if (HWY_UNLIKELY(seen.leaks != 0))
         light = choose_light(seen.leaks, Light<N>{Floats<N>(1), Floats<N>(0), Floats<N>(1)}, light);
     if (HWY_UNLIKELY(tints.any))

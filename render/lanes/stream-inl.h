@@ -115,9 +115,9 @@ struct Ends {
     HWY_INLINE Bits enter(Bits, std::uint32_t) { return 0; }
 };
 
-template <class Limits, class Events>
+template <class Limiting, class Events>
 HWY_INLINE void nearest_batch(const detail::StreamJob& job, const accel::SceneView& scene, const Batch& batch,
-                              Bits lanes, const Rays<stream_rays>& rays, const Lanes& metres, const Limits& limits,
+                              Bits lanes, const Rays<stream_rays>& rays, const Lanes& metres, const Limiting& limits,
                               const Lanes& max_distance, Groups& groups, Events& events) {
     Ends ends(scene, rays);
     Tints<stream_rays> tints;
@@ -168,7 +168,7 @@ void nearest_rays(const detail::StreamJob& job, Events& events) {
         const Rays<stream_rays> rays = make_rays(o, d);
         const Lanes metres = root_of(dot_lanes(d, d));
         if (job.max_distance == nullptr)
-            nearest_batch(job, scene, batch, lanes, rays, metres, Unlimited<stream_rays>{}, max_distance, groups,
+            nearest_batch(job, scene, batch, lanes, rays, metres, Unlimited{}, max_distance, groups,
                           events);
         else
             nearest_batch(job, scene, batch, lanes, rays, metres, Limits<stream_rays>{max_distance / metres},

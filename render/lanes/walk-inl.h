@@ -60,10 +60,9 @@ struct Tints {
 };
 
 /// Walks until faces stop the light.
-template <int N>
 struct Unlimited {
-    [[nodiscard]] HWY_INLINE Bits before_side(const Crossings<N>&) const { return 0; }
-    [[nodiscard]] HWY_INLINE Bits before_level(const Floats<N>&, const Rays<N>&) const { return 0; }
+    [[nodiscard]] HWY_INLINE Bits before_side(const auto&...) const { return 0; }
+    [[nodiscard]] HWY_INLINE Bits before_level(float, const auto&) const { return 0; }
     [[nodiscard]] NoLimit of(int) const { return {}; }
 };
 
@@ -74,8 +73,8 @@ struct Limits {
     [[nodiscard]] HWY_INLINE Bits before_side(const Crossings<N>& at) const {
         return all_bits<N> & ~is_at_most(at.num, t * at.den);
     }
-    [[nodiscard]] HWY_INLINE Bits before_level(const Floats<N>& rise, const Rays<N>& rays) const {
-        const Floats<N> reach = t * rays.direction.z;
+    [[nodiscard]] HWY_INLINE Bits before_level(float z, const Rays<N>& rays) const {
+        const Floats<N> rise = Floats<N>(z) - rays.origin.z, reach = t * rays.direction.z;
         return all_bits<N> & ((rays.descends & ~is_at_most(reach, rise)) | (~rays.descends & ~is_at_most(rise, reach)));
     }
     [[nodiscard]] Limit<float> of(int ray) const {
@@ -87,8 +86,8 @@ struct Limits {
 
 /// A ray that rounding has left several exits or none is walked by itself from where it began, to its end: in one
 /// arithmetic, for a walk that mixes two may go round a vertical line for ever.
-template <int N, class Limiting, class Sink, class Events>
-HWY_NOINLINE void walk_by_itself(const accel::SceneView& scene, const Rays<N>& rays, int ray, std::uint32_t cell,
+template <int N, class SomeRays, class Limiting, class Sink, class Events>
+HWY_NOINLINE void walk_by_itself(const accel::SceneView& scene, const SomeRays& rays, int ray, std::uint32_t cell,
                                  const Limiting& limits, Tints<N>& tints, Sink& sink, Events& events) {
     Vec3f throughput = {1, 1, 1};
     const Bits bit = Bits(1) << ray;
@@ -103,9 +102,9 @@ HWY_NOINLINE void walk_by_itself(const accel::SceneView& scene, const Rays<N>& r
 /// Follows rays from the cells in which they start until faces or limits stop them. Calls sink.hit(way, cell,
 /// crossings) for those that end together at a face, sink.reached(rays, cell) for those whose limit lies in the cell,
 /// sink.leaked(rays, cell) for those that do not end (walk.h); sink.enter(rays, cell) as they go on, which returns
-/// those that need go no further.
-template <int N, class Limiting, class Sink, class Events>
-HWY_INLINE void walk_together(const accel::SceneView& scene, const Rays<N>& rays, const Groups& start,
+/// those that need go no further. Crossings are what leave_cell_together tells of such rays.
+template <int N, class SomeRays, class Limiting, class Sink, class Events>
+HWY_INLINE void walk_together(const accel::SceneView& scene, const SomeRays& rays, const Groups& start,
                               const Limiting& limits, Tints<N>& tints, Sink& sink, Events& events) {
     Tints<N> before;
     if (HWY_UNLIKELY(tints.any)) before = tints;
@@ -119,18 +118,17 @@ HWY_INLINE void walk_together(const accel::SceneView& scene, const Rays<N>& rays
         for (int g = 0; g < now->size; ++g) {
             const Group group = now->of[g];
             const accel::Cell& cell = scene.cells[group.cell];
-            const auto visit = [&](const Way& way, const Crossings<N>& at) HWY_ATTR {
+            const auto visit = [&](const Way& way, const auto&... at) HWY_ATTR {
                 Way rest = way;
-                const Floats<N> level(way.exit == Exit::Floor ? cell.z_floor : cell.z_ceiling);
-                const Bits reached =
-                    way.rays & (way.exit == Exit::Side ? limits.before_side(at)
-                                                       : limits.before_level(level - rays.origin.z, rays));
+                const float level = way.exit == Exit::Floor ? cell.z_floor : cell.z_ceiling;
+                const Bits reached = way.rays & (way.exit == Exit::Side ? limits.before_side(at...)
+                                                                        : limits.before_level(level, rays));
                 if (reached != 0) {
                     sink.reached(reached, group.cell);
                     rest.rays &= ~reached;
                     if (rest.rays == 0) return;
                 }
-                if (!way.target.is_portal()) return sink.hit(rest, group.cell, at);
+                if (!way.target.is_portal()) return sink.hit(rest, group.cell, at...);
                 if (way.target.is_glass()) {
                     tints.multiply(rest.rays, tint_of(scene, group.cell, way.exit, way.face));
                     for (Bits left = rest.rays; left != 0; left &= left - 1) events.crossed_glass();
