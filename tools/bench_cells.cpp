@@ -48,7 +48,7 @@ void bench_cells(Bench& bench) {
     bench_rays(bench, example);
     bench_agreement(bench, example);
     if (!bench.quick()) bench_rays(bench, office_floor(1000));
-    const TracedBuilding small = office_floor(135), large = office_floor(10'000);
+    const TracedBuilding small = office_floor(135), large = office_floor(bench.quick() ? 1'000 : 10'000);
     if (!bench.quick()) bench_rays(bench, large);
     bench_growth(bench, small, large);
 }
