@@ -166,9 +166,9 @@ private:
         face_out_ = none<SourceFaceId>;
     }
 
-    /// scratch_.solids, which cover [t_, t] but for what lies beyond the site. `is_closed`: a cell follows.
+    /// scratch_.solids, which cover [t_, t] but for what lies beyond the site, and for gaps of a few grid units where
+    /// rounding bent their sides: those go to the solid behind. `is_closed`: a cell follows.
     void add_known_solids(double t, bool is_closed) {
-        const double tolerance = scene_.unit / metres_;
         const std::size_t first = passages_.size();
         double at = t_;
         const auto append = [&](double to, Label label, accel::SpaceId space) {
@@ -181,15 +181,21 @@ private:
         for (std::size_t i = 0; i < scratch_.solids.size(); ++i) {
             const SolidStretch& stretch = scratch_.solids[i];
             if (stretch.leave <= at) continue;
-            if (stretch.enter > at + tolerance) append(stretch.enter, Label::Outside, none<accel::SpaceId>);
+            if (stretch.enter > at && is_beyond_site(0.5 * (at + stretch.enter)))
+                append(stretch.enter, Label::Outside, none<accel::SpaceId>);
             const SolidPrism& prism = solids_->prisms()[stretch.prism];
             append(stretch.leave, prism.label, prism.space);
         }
-        if (at < t && (t < infinite)) {
-            if (t > at + tolerance) append(t, Label::Outside, none<accel::SpaceId>);
+        if (at < t && t < infinite) {
+            if (is_beyond_site(0.5 * (at + t))) append(t, Label::Outside, none<accel::SpaceId>);
             else passages_.back().leave = t * metres_;
         }
         finish_known_solids(first, is_closed ? face_in_ : none<SourceFaceId>, is_closed);
+    }
+
+    [[nodiscard]] bool is_beyond_site(double t) const {
+        const Vec3d p = ray_.origin + t * ray_.direction;
+        return label_at(p) == Label::Outside && !solids_->are_around(p);
     }
 
     void finish_known_solids(std::size_t first, SourceFaceId next, bool is_closed) {
@@ -230,10 +236,10 @@ private:
     }
 
     /// Where the ray meets no cell at all, and solids are not known.
-    [[nodiscard]] Label label_of_nothing() const {
+    [[nodiscard]] Label label_of_nothing() const { return label_at(ray_.origin); }
+    [[nodiscard]] Label label_at(const Vec3d& p) const {
         if (scene_.locator_nodes.empty()) return Label::Outside;
         const accel::LocatorNode& site = scene_.locator_nodes[0];
-        const Vec3d& p = ray_.origin;
         const bool is_on_site = p.x >= site.low[0] && p.x <= site.high[0] && p.y >= site.low[1] &&
                                 p.y <= site.high[1] && p.z <= site.high[2];
         return !is_on_site ? Label::Outside : p.z < site.low[2] ? Label::Ground : Label::Wall;

@@ -132,6 +132,12 @@ void Solids::add_stretches(const Ray<double>& ray, std::uint32_t id, double from
     }
 }
 
+bool Solids::are_around(const Vec3d& p) const {
+    if (nodes_.empty()) return false;
+    const auto &low = nodes_.front().low, &high = nodes_.front().high;
+    return p.x >= low[0] && p.x <= high[0] && p.y >= low[1] && p.y <= high[1] && p.z >= low[2] && p.z <= high[2];
+}
+
 void Solids::along(const Ray<double>& ray, double from, double to, std::vector<SolidStretch>& found) const {
     found.clear();
     for (std::size_t i = 0; i < nodes_.size();) {

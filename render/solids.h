@@ -36,6 +36,9 @@ public:
 
     [[nodiscard]] const std::vector<SolidPrism>& prisms() const { return prisms_; }
 
+    /// Whether the point lies in the box around all of them.
+    [[nodiscard]] bool are_around(const Vec3d& point) const;
+
     /// What the ray meets of them between its parameters `from` and `to`, in order. Empties `found` first.
     void along(const Ray<double>& ray, double from, double to, std::vector<SolidStretch>& found) const;
 

@@ -113,6 +113,17 @@ struct RenderOptions {
 [[nodiscard]] std::string camera_help();
 int run_render(const RenderOptions& options, const Console& console);
 
+struct TraceCommandOptions {
+    std::filesystem::path scene;
+    std::filesystem::path rays;    ///< .npy
+    std::filesystem::path output;  ///< .npy
+    std::string query = "nearest";
+    std::string real;    ///< empty: what the query takes
+    std::string tracer;  ///< empty: the fastest
+    std::uint32_t threads = 0;
+};
+int run_trace(const TraceCommandOptions& options, const Console& console);
+
 struct ExportOptions {
     std::filesystem::path scene;
     std::filesystem::path output;

@@ -261,6 +261,30 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
         "there");
 }
 
+void add_trace(CLI::App& app, Invocation& invocation, TraceCommandOptions& options) {
+    CLI::App* command = add_command(
+        app, invocation, options, "trace", "Answer many rays: what each meets, whether it is blocked, all it passes.",
+        "  enfilade trace house.enf rays.npy -o hits.npy\n"
+        "  enfilade trace house.enf links.npy -o passages.npy --query all",
+        run_trace);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_positional(command, "RAYS", options.rays,
+                   "rays as numpy saves them (.npy): (n, 6) numbers, origin and direction in metres of the plan, or "
+                   "(n, 7) with a maximal distance");
+    add_needed(command, "-o,--output", options.output, "FILE", "the answers to write, .npy (needed; docs/queries.md)");
+    add_value(command, "--query", options.query, "KIND",
+              "nearest: the face that each ray meets; any: whether something opaque lies within its distance; all: "
+              "every cell, door, pane and solid that it passes, with thicknesses (nearest)")
+        ->check(CLI::IsMember({"nearest", "any", "all"}));
+    add_value(command, "--real", options.real, "KIND",
+              "float, or double: ray by ray, slower (float; all is always computed in double)")
+        ->check(CLI::IsMember({"float", "double"}));
+    add_value(command, "--tracer", options.tracer, "NAME",
+              "scalar: one ray at a time; simd: as many as a register holds; packet: whichever is fastest (packet)")
+        ->check(CLI::IsMember({"scalar", "simd", "packet"}));
+    add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
+}
+
 void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {
     CLI::App* command = add_command(
         app, invocation, options, "export", "Write a scene in a format of other programs.",
@@ -330,6 +354,7 @@ int run(int argument_count, char** arguments) {
     CheckOptions check_options;
     InfoOptions info_options;
     RenderOptions render_options;
+    TraceCommandOptions trace_options;
     ExportOptions export_options;
     BenchOptions bench_options;
     add_import(app, invocation, import_options);
@@ -338,6 +363,7 @@ int run(int argument_count, char** arguments) {
     add_check(app, invocation, check_options);
     add_info(app, invocation, info_options);
     add_render(app, invocation, render_options);
+    add_trace(app, invocation, trace_options);
     add_export(app, invocation, export_options);
     add_bench(app, invocation, bench_options);
 

@@ -58,8 +58,9 @@ void expect_whole(const Passages& ray, double limit) {
             ASSERT_EQ(before.left, p.entered);
             ASSERT_EQ(before.face_out, p.face_in);
             // Where a line meets two cells at one point of their edges, no face may lie between them.
-            if (before.length() > 0)
+            if (before.length() > 0) {
                 ASSERT_EQ(before.left == Border::Face, before.face_out != none<accel::SourceFaceId>);
+            }
             ASSERT_FALSE(before.is_solid() && p.is_solid());  // without solids' names
         }
         at = p.leave;
