@@ -114,12 +114,12 @@ bool BeamLimit::admit(BeamStep& step, bool is_front, const BeamSource& source, s
     if (++arrivals.count <= max_beams_) return true;
     step.is_widened = true;
     beam = arrivals.hull;
-    if (++arrivals.widened >= most_widenings)
-        if (const std::optional<Beam> whole = unhindered(beam, source, margin, history)) {
-            beam = *whole;
-            arrivals.is_whole = true;
-            return true;
-        }
+    if (++arrivals.widened >= most_widenings) {
+        const std::optional<Beam> whole = unhindered(beam, source, margin, history);
+        if (whole) beam = *whole;
+        arrivals.is_whole = true;
+        return whole.has_value();
+    }
     beam.plan.left_chain = history.add(UINT32_MAX, beam.gate.left, beam.gate.right, -1);
     beam.plan.right_chain = history.add(UINT32_MAX, beam.gate.right, beam.gate.left, 1);
     return true;

@@ -53,6 +53,12 @@ PlanPoint rightmost(int side, const BeamSource& source, const PlanPoint& far) {
     return best;
 }
 
+/// The gate's own line, moved by the margin to where the rays come from. Rays cross it outward, so they stay beyond it.
+PlanLine own_line(int side, const PlanPoint& own, const PlanPoint& far, std::int64_t margin) {
+    const std::int64_t out_x = -side * margin * sign(far.y - own.y), out_y = side * margin * sign(far.x - own.x);
+    return {{own.x + out_x, own.y + out_y}, {far.x + out_x, far.y + out_y}};
+}
+
 /// What turns a line through `far` least to the left of all that it must have on its left: the gate's own other end,
 /// the source, or the near end of a gate crossed before.
 struct Near {
@@ -85,7 +91,6 @@ Near nearest_bound(int side, const BeamSource& source, const PlanPoint& far, con
 bool parts(int side, const PlanLine& line, const BeamSource& source, const Near& near, const PlanPoint& own,
            std::int64_t margin) {
     const std::int64_t room = slack(line, margin);
-    if (near.kind == Near::Kind::Own) return true;
     if (side * line.side(own) > -room) return false;
     if (near.kind == Near::Kind::Gate) return side * line.side(near.other) >= room;
     for (const PlanPoint& corner : source.corners)
@@ -99,19 +104,24 @@ PlanLine narrowed(int side, const BeamSource& source, const PlanLine& bound, con
     // The gate's end lies on the bound or outside it: nothing changes.
     if (bound.exists() && side * bound.side(far) >= -slack(bound, margin)) return bound;
     const Near near = nearest_bound(side, source, far, own, chain, margin, history);
-    std::optional<PlanLine> line = bitangent(side, near.at, near.margin, far, margin);
+    if (near.kind == Near::Kind::Own) return own_line(side, own, far, margin);
+    const std::optional<PlanLine> line = bitangent(side, near.at, near.margin, far, margin);
     if (line && parts(side, *line, source, near, own, margin)) return *line;
-    if (bound.exists()) return bound;
-    line = bitangent(side, own, margin, far, margin);
-    return line ? *line : PlanLine{};
+    return bound.exists() ? bound : own_line(side, own, far, margin);
 }
 
 /// Whether the bound leaves something of a gate: the end on the bound's far side lies inside. On the bound counts where
-/// the beam starts at that end.
+/// the beam starts at that end, and behind it: there lies the gate before, if the bound is that gate's line, and the
+/// sides of the cell next to it, on the line or as near as rounding to the grid has bent it.
 bool is_inside(int side, const BeamSource& source, const PlanLine& bound, const PlanPoint& end, std::int64_t margin) {
     if (!bound.exists()) return true;
     const std::int64_t s = side * bound.side(end) - slack(bound, margin);
-    return s < 0 || (s == 0 && source.holds(end));
+    if (s < 0 || (s == 0 && source.holds(end))) return true;
+    const PlanPoint along = {bound.to.x - bound.from.x, bound.to.y - bound.from.y};
+    const PlanPoint way = {end.x - bound.from.x, end.y - bound.from.y};
+    // Both ends of the bound and this one lie within a unit of where they were: two units and their leverage.
+    const std::int64_t bend = 2 * (std::abs(along.x) + std::abs(along.y) + std::abs(way.x) + std::abs(way.y));
+    return s <= bend && way.x * along.x + way.y * along.y <= slack(bound, margin);
 }
 
 /// Whether rays from the source can cross the gate's line at all: from inside, or from the gate itself.
