@@ -1,5 +1,7 @@
 #include "render/kernel.h"
 
+#include <array>
+
 #include "accel/locate.h"
 #include "render/kernel_sets.h"
 #include "render/trace_rays.h"
@@ -7,12 +9,39 @@
 namespace enfilade::render {
 namespace detail {
 
-const Kernels& kernels() {
+namespace {
+
+/// The sets that this machine runs, the fastest first. Asked once: the answer does not change.
+struct KernelSets {
+    std::array<const Kernels*, 3> sets = {};
+    std::size_t count = 0;
+
+    KernelSets() {
 #if defined(ENFILADE_HAS_FMA_KERNELS)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return fma_kernels;
+        const bool has_fma = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                             __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+        const bool has_avx512 = has_fma && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                                __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
+        if (has_avx512) sets[count++] = &avx512_kernels;
+        if (has_fma) sets[count++] = &fma_kernels;
 #endif
-    return portable_kernels;
+        sets[count++] = &portable_kernels;
+    }
+};
+
+const KernelSets& sets_of_this_machine() {
+    static const KernelSets all;
+    return all;
 }
+
+}  // namespace
+
+std::span<const Kernels* const> kernel_sets() {
+    const KernelSets& all = sets_of_this_machine();
+    return {all.sets.data(), all.count};
+}
+
+const Kernels& kernels() { return *sets_of_this_machine().sets[0]; }
 
 const Kernels& portable_kernel_set() { return portable_kernels; }
 

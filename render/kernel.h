@@ -2,6 +2,7 @@
 // Inside of render: the loops over rays, compiled once for every instruction set that has its own file.
 
 #include <cstdint>
+#include <span>
 
 #include "accel/scene.h"
 #include "render/camera.h"
@@ -94,6 +95,9 @@ struct LaneKernels {
 
 /// Those for the machine that runs.
 [[nodiscard]] const Kernels& kernels();
+
+/// Those for all instruction sets that the machine has, the fastest first, those for any machine last.
+[[nodiscard]] std::span<const Kernels* const> kernel_sets();
 
 /// Those for any machine: what the tests compare with.
 [[nodiscard]] const Kernels& portable_kernel_set();

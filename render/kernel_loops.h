@@ -1,6 +1,8 @@
 // The loops over rays. Included by one file for each instruction set, which names its namespace (isa.h); no include
 // guard is needed, and no standard container may appear here.
 
+#include "render/block_loops.h"
+#include "render/block_streams.h"
 #include "render/framebuffer.h"
 #include "render/kernel.h"
 #include "render/mirror.h"
@@ -246,8 +248,8 @@ void trace_stream(const detail::StreamJob& job, Events& events) {
             max_distance == max_distance) {
             const float metres = length(ray.direction);
             Vec3f throughput = {1, 1, 1};
-            end = max_distance < 1e30f
-                      ? walk(scene, ray, end.cell, Limit<float>{max_distance / metres}, throughput, events)
+            end = job.max_distance != nullptr
+                      ? walk(scene, ray, end.cell, Limit<float>{limit_of(max_distance, metres)}, throughput, events)
                       : walk(scene, ray, end.cell, NoLimit{}, throughput, events);
             distance = end.status == WalkStatus::Reached ? max_distance : parameter(scene, ray, end) * metres;
         }
@@ -258,10 +260,6 @@ void trace_stream(const detail::StreamJob& job, Events& events) {
         if (job.cell != nullptr) job.cell[i] = static_cast<accel::CellId>(end.cell);
         if (job.status != nullptr) job.status[i] = end.status;
     }
-}
-
-ENFILADE_HD bool is_place(Vec3f p) {
-    return magnitude(p.x) <= largest_place && magnitude(p.y) <= largest_place && magnitude(p.z) <= largest_place;
 }
 
 /// Whether nothing but glass lies between p (in `cell`) and q (in `to_cell`; no_cell: not known): the walk from p
@@ -304,6 +302,9 @@ void counted(const Job& job, const Body& body) {
 }
 
 void lambert_tile(const detail::TileJob& job) {
+#if ENFILADE_WIDE_SIDES
+    if (job.stats == nullptr && !job.is_double && !(job.mirror_floor > 0)) return lambert_blocks(job);
+#endif
     counted(job, [&](auto& events) {
         if (job.is_double) lambert_rows<double>(job, events);
         else lambert_rows<float>(job, events);
@@ -326,10 +327,16 @@ void rays_double(const detail::RayJob& job) {
 }
 
 void nearest(const detail::StreamJob& job) {
+#if ENFILADE_WIDE_SIDES
+    if (job.stats == nullptr) return nearest_blocks(job);
+#endif
     counted(job, [&](auto& events) { trace_stream(job, events); });
 }
 
 void visible(const detail::SegmentJob& job) {
+#if ENFILADE_WIDE_SIDES
+    if (job.stats == nullptr) return visible_blocks(job);
+#endif
     counted(job, [&](auto& events) { trace_segments(job, events); });
 }
 

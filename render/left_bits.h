@@ -25,23 +25,52 @@ ENFILADE_HD std::uint32_t left_bits(const Ray<T>& ray, const float* xs, const fl
 }
 
 #if ENFILADE_WIDE_SIDES
-/// Eight lines an instruction: the operations and roundings of `line_side`. May read up to 32 bytes behind the
-/// last line: each array of a scene has 64 bytes of zeros behind it.
+#if defined(__AVX512F__)
+inline constexpr std::uint32_t wide_lines = 16;  ///< how many lines one instruction tests
+using WideFloat = __m512;
+ENFILADE_HD WideFloat load_wide(const float* p) { return _mm512_loadu_ps(p); }
+ENFILADE_HD void store_wide(float* p, WideFloat a) { _mm512_store_ps(p, a); }
+ENFILADE_HD WideFloat wide_of(const float* p) { return _mm512_set1_ps(*p); }
+ENFILADE_HD WideFloat wide_fused(WideFloat a, WideFloat b, WideFloat c) { return _mm512_fmadd_ps(a, b, c); }
+ENFILADE_HD WideFloat wide_minus(WideFloat a, WideFloat b) { return _mm512_sub_ps(a, b); }
+ENFILADE_HD WideFloat wide_times(WideFloat a, WideFloat b) { return _mm512_mul_ps(a, b); }
+/// Bit i: a > b in lane i.
+ENFILADE_HD std::uint32_t wide_more(WideFloat a, WideFloat b) {
+    return _cvtmask16_u32(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ));
+}
+#else
+inline constexpr std::uint32_t wide_lines = 8;
+using WideFloat = __m256;
+ENFILADE_HD WideFloat load_wide(const float* p) { return _mm256_loadu_ps(p); }
+ENFILADE_HD void store_wide(float* p, WideFloat a) { _mm256_store_ps(p, a); }
+ENFILADE_HD WideFloat wide_of(const float* p) { return _mm256_broadcast_ss(p); }
+ENFILADE_HD WideFloat wide_fused(WideFloat a, WideFloat b, WideFloat c) { return _mm256_fmadd_ps(a, b, c); }
+ENFILADE_HD WideFloat wide_minus(WideFloat a, WideFloat b) { return _mm256_sub_ps(a, b); }
+ENFILADE_HD WideFloat wide_times(WideFloat a, WideFloat b) { return _mm256_mul_ps(a, b); }
+ENFILADE_HD std::uint32_t wide_more(WideFloat a, WideFloat b) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ)));
+}
+#endif
+
+/// What a side exceeds where its line is left: 0, or where zero counts as left the negative number nearest to it.
+template <class T>
+ENFILADE_HD float least_left_of(const Ray<T>& ray) {
+    return ray.zero_mask != 0 ? -0x1p-149f : 0.0f;
+}
+
+/// Several lines an instruction. May read up to 64 bytes behind the last line.
 ENFILADE_HD std::uint32_t left_bits(const Ray<float>& ray, const float* xs, const float* ys, std::uint32_t count) {
-    const __m256 dx = _mm256_set1_ps(ray.direction.x);
-    const __m256 minus_dy = _mm256_set1_ps(-ray.direction.y);
-    const __m256 moment = _mm256_set1_ps(ray.moment);
-    const __m256 flip = _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_set1_epi32(static_cast<int>(ray.zero_mask)), 31));
+    const float minus_dy = -ray.direction.y, least_left = least_left_of(ray);
+    const WideFloat dx = wide_of(&ray.direction.x), dy = wide_of(&minus_dy);
+    const WideFloat moment = wide_of(&ray.moment), least = wide_of(&least_left);
     std::uint32_t bits = 0;
     std::uint32_t i = 0;
     do {
-        const __m256 side =
-            _mm256_fmadd_ps(_mm256_loadu_ps(ys + i), dx, _mm256_fmadd_ps(_mm256_loadu_ps(xs + i), minus_dy, moment));
-        const __m256 left = _mm256_cmp_ps(_mm256_xor_ps(side, flip), _mm256_setzero_ps(), _CMP_GT_OQ);
-        bits |= static_cast<std::uint32_t>(_mm256_movemask_ps(left)) << i;
-        i += 8;
+        const WideFloat side = wide_fused(load_wide(ys + i), dx, wide_fused(load_wide(xs + i), dy, moment));
+        bits |= wide_more(side, least) << i;
+        i += wide_lines;
     } while (i < count);
-    return bits ^ ray.zero_mask;
+    return bits;
 }
 #endif
 

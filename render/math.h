@@ -3,6 +3,7 @@
 // of which the linker might keep the copy compiled for a newer instruction set (isa.h).
 
 #include <cmath>
+#include <cstdint>
 
 #include "accel/host_device.h"
 
@@ -34,6 +35,22 @@ ENFILADE_HD int exponent_of(double a) { return __builtin_ilogb(a); }
 ENFILADE_HD float scaled(float a, int exponent) { return __builtin_scalbnf(a, exponent); }
 ENFILADE_HD double scaled(double a, int exponent) { return __builtin_scalbn(a, exponent); }
 #endif
+
+/// The bits of a float, and the float of bits.
+ENFILADE_HD std::uint32_t bits_of(float a) {
+#if defined(__CUDA_ARCH__)
+    return __float_as_uint(a);
+#else
+    return __builtin_bit_cast(std::uint32_t, a);
+#endif
+}
+ENFILADE_HD float float_of(std::uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    return __uint_as_float(bits);
+#else
+    return __builtin_bit_cast(float, bits);
+#endif
+}
 
 template <class T>
 ENFILADE_HD T larger(T a, T b) {

@@ -55,24 +55,49 @@ ENFILADE_HD Ray<T> make_ray_unchecked(Vec<T> origin, Vec<T> direction) {
 /// No coordinate of a scene or a ray's origin lies beyond: metres.
 inline constexpr float largest_place = 1e12f;
 
+ENFILADE_HD bool is_place(Vec<float> p) {
+    return (magnitude(p.x) <= largest_place) & (magnitude(p.y) <= largest_place) & (magnitude(p.z) <= largest_place);
+}
+
 template <class T>
 ENFILADE_HD T largest_part(Vec<T> v) {
     return larger(larger(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 
-/// The ray from any finite, non-zero direction, denormal and huge ones included; what leans less than 2^-40 is
-/// vertical; false (and no ray) for others. The comparisons are written so that NaN fails them.
+/// What brings a to [1, 2): the power of two 2^-e for 2^e <= a < 2^(e+1). \pre 2^-126 <= a < 2^126
+ENFILADE_HD float unit_scale(float a) { return float_of((254u << 23) - (bits_of(a) & 0x7f800000u)); }
+
+/// Whether make_ray has an answer. The comparisons are written so that NaN fails them.
+template <class T>
+ENFILADE_HD bool is_ray(Vec<T> origin, Vec<T> direction) {
+    const T largest = largest_part(direction);
+    return (magnitude(direction.x) <= T(1e37)) & (magnitude(direction.y) <= T(1e37)) &
+           (magnitude(direction.z) <= T(1e37)) & (magnitude(origin.x) <= T(largest_place)) &
+           (magnitude(origin.y) <= T(largest_place)) & (magnitude(origin.z) <= T(largest_place)) & (largest > T(0));
+}
+
+/// The direction scaled by a power of two so that its largest component is in [1, 2), denormal and huge ones included;
+/// what leans less than 2^-40 is vertical. \pre is_ray
+ENFILADE_HD Vec<float> scaled_direction(Vec<float> direction) {
+    const float largest = largest_part(direction);
+    const float lift = largest < 0x1p-126f ? 0x1p100f : 1.0f;  // denormal numbers have no exponent of their own
+    direction = unit_scale(lift * largest) * (lift * direction);
+    const bool leans = (magnitude(direction.x) >= 0x1p-40f) | (magnitude(direction.y) >= 0x1p-40f);
+    return {leans ? direction.x : 0.0f, leans ? direction.y : 0.0f, direction.z};
+}
+
+ENFILADE_HD Vec<double> scaled_direction(Vec<double> direction) {
+    const int exponent = exponent_of(largest_part(direction));
+    direction = {scaled(direction.x, -exponent), scaled(direction.y, -exponent), scaled(direction.z, -exponent)};
+    if (magnitude(direction.x) < 0x1p-40 && magnitude(direction.y) < 0x1p-40) direction.x = direction.y = 0;
+    return direction;
+}
+
+/// The ray from any finite, non-zero direction; false (and no ray) for others.
 template <class T>
 ENFILADE_HD bool make_ray(Vec<T> origin, Vec<T> direction, Ray<T>& ray) {
-    const T ax = magnitude(direction.x), ay = magnitude(direction.y), az = magnitude(direction.z);
-    const bool is_finite = ax <= T(1e37) && ay <= T(1e37) && az <= T(1e37) && magnitude(origin.x) <= T(largest_place) &&
-                           magnitude(origin.y) <= T(largest_place) && magnitude(origin.z) <= T(largest_place);
-    const T largest = largest_part(direction);
-    if (!is_finite || !(largest > T(0))) return false;
-    const int exponent = exponent_of(largest);
-    direction = {scaled(direction.x, -exponent), scaled(direction.y, -exponent), scaled(direction.z, -exponent)};
-    if (magnitude(direction.x) < T(0x1p-40) && magnitude(direction.y) < T(0x1p-40)) direction.x = direction.y = T(0);
-    ray = make_ray_unchecked(origin, direction);
+    if (!is_ray(origin, direction)) return false;
+    ray = make_ray_unchecked(origin, scaled_direction(direction));
     return true;
 }
 

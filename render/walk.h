@@ -54,6 +54,12 @@ struct Limit {
     ENFILADE_HD bool ends_in(std::uint32_t) const { return false; }
 };
 
+/// The parameter at `distance` metres along a direction so many metres long; more than any scene's where there is no
+/// limit.
+ENFILADE_HD float limit_of(float distance, float direction_metres) {
+    return distance < 1e30f ? distance / direction_metres : 3e38f;
+}
+
 /// Walks to the point q at `t` times the ray's (scaled) direction. What lies on a face lies before it. Cells are
 /// convex: from the border at which the ray enters q's cell, if that is known, nothing comes between, so the walk ends
 /// there. q's distance still ends it where rounding leads the ray past a corner of that cell.
