@@ -5,67 +5,28 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
+/// Pixels of the image: x0 to x1 - 1, y0 to y1 - 1.
+struct Rectangle {
+    int x0, y0, x1, y1;
+};
+
 /// Four rays around others from the same point, in plan.
 struct Corners4 {
     struct Line {
         float dx, minus_dy, moment, threshold;
     } line[4];
 
-    /// Through four points of the image.
-    HWY_INLINE Corners4(const CameraFrame& camera, float x0, float y0, float x1, float y1) {
+    /// Through the centres of a rectangle's corner pixels.
+    HWY_INLINE Corners4(const CameraFrame& camera, const Rectangle& at) {
+        const float x[2] = {static_cast<float>(at.x0) + 0.5f, static_cast<float>(at.x1) - 0.5f};
+        const float y[2] = {static_cast<float>(at.y0) + 0.5f, static_cast<float>(at.y1) - 0.5f};
         for (int i = 0; i < 4; ++i) {
-            const Vec3f d = camera.direction(i % 2 == 0 ? x0 : x1, i / 2 == 0 ? y0 : y1);
+            const Vec3f d = camera.direction(x[i % 2], y[i / 2]);
             line[i] = {d.x, -d.y, camera.origin.x * d.y - camera.origin.y * d.x,
                        zero_side_is_positive(d.x, d.y) ? -0x1p-149f : 0.0f};
         }
     }
 };
-
-/// N rays from `eye`, in plan between the corners. What only the sides of lines need is made when one is asked for.
-template <int N>
-struct EyeRays {
-    Vec3f eye;
-    Points<N> direction;
-    Bits descends;  ///< dz < 0
-    Bits climbs;    ///< dz > 0
-    const Corners4& corners;
-    mutable bool has_lines = false;
-    mutable Floats<N> moment, minus_dy, threshold;
-
-    HWY_INLINE EyeRays(Vec3f eye_, const Points<N>& direction_, const Corners4& corners_)
-        : eye(eye_),
-          direction(direction_),
-          descends(is_less(direction_.z, Floats<N>(0))),
-          climbs(is_less(Floats<N>(0), direction_.z)),
-          corners(corners_) {}
-
-    HWY_INLINE void mirror(float floor) {
-        eye.z = floor + (floor - eye.z);
-        direction.z = -direction.z;
-        const Bits swapped = descends;
-        descends = climbs;
-        climbs = swapped;
-    }
-    /// The same rays as any others are walked.
-    [[nodiscard]] HWY_INLINE Rays<N> all() const {
-        return make_rays(Points<N>{Floats<N>(eye.x), Floats<N>(eye.y), Floats<N>(eye.z)}, direction);
-    }
-    [[nodiscard]] HWY_NOINLINE Ray<float> ray(int lane) const { return all().ray(lane); }
-    HWY_INLINE void need_lines() const {
-        if (has_lines) return;
-        has_lines = true;
-        const Rays<N> rays = all();
-        moment = rays.moment;
-        minus_dy = rays.minus_dy;
-        threshold = rays.threshold;
-    }
-};
-
-template <int N>
-HWY_INLINE Bits left_of(const EyeRays<N>& rays, float x, float y) {
-    return is_less(rays.threshold,
-                   fused_lanes(Floats<N>(y), rays.direction.x, fused_lanes(Floats<N>(x), rays.minus_dy, rays.moment)));
-}
 
 /// Which of 16 lines a corner ray has on its left. Numbers behind the last line are read: zeros follow each array.
 HWY_INLINE Bits left_lines(const Corners4::Line& ray, const float* HWY_RESTRICT xs, const float* HWY_RESTRICT ys) {
@@ -111,89 +72,216 @@ private:
     }
 };
 
-/// Step 1: one section, or those that accept rays among the candidates.
-template <int N>
-HWY_INLINE void find_sections(const EyeRays<N>& rays, const float* HWY_RESTRICT xs, const float* HWY_RESTRICT ys,
-                              std::uint32_t count, Bits mask, Accepting& accepting) {
-    const Candidates candidates(rays.corners, xs, ys, count);
-    if (HWY_LIKELY(candidates.size == 1)) return accepting.add(candidates.section[0], mask);
-    if (HWY_UNLIKELY(candidates.size > Candidates::most))
-        return find_sections(rays.all(), xs, ys, count, mask, accepting);
-    rays.need_lines();
-    std::uint32_t tested = ~0u;
-    Bits q_left = 0;
-    for (std::uint32_t k = 0; k < candidates.size; ++k) {
-        const std::uint32_t i = candidates.section[k];
-        const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        const Bits p_left = tested == i ? q_left : left_of(rays, xs[i], ys[i]);
-        q_left = left_of(rays, xs[j], ys[j]);
-        tested = j;
-        const Bits accepted = ~p_left & q_left & mask;
-        if (accepted != 0) accepting.add(i, accepted);
+/// A cell as rays from one point between four corners see it: the few sections by which they may leave it.
+struct Outlook {
+    static constexpr std::uint32_t most = 12;
+    struct Section {
+        std::uint32_t index, next;        ///< in the scene
+        float px, py, qx, qy;             ///< where it begins and ends
+        float nx, ny;                     ///< its outward normal, of its length
+        float away;                       ///< from the point to its plane, times its length
+        float inverse;                    ///< 1 over its length
+        std::uint32_t first_face, top_face;
+    };
+    std::uint32_t cell = no_section;  ///< none: not made yet
+    std::uint32_t size;
+    bool is_known;  ///< else there are too many, or the point lies in the plane of one
+    Section section[most];
+
+    Outlook() {}  // the rest is made when it is needed
+    HWY_NOINLINE void make(const accel::SceneView& scene, std::uint32_t cell_, Vec3f eye, const Corners4& corners) {
+        cell = cell_;
+        size = 0;
+        is_known = true;
+        const accel::Cell& c = scene.cells[cell];
+        const float* xs = scene.section_x.first + c.first_section;
+        const float* ys = scene.section_y.first + c.first_section;
+        const Candidates candidates(corners, xs, ys, c.section_count);
+        if (candidates.size > most) {
+            is_known = false;
+            return;
+        }
+        // From nearer than this to its plane a section is crossed nobody knows where: rays may run along it, and
+        // what its plane says is noise over noise (README.md).
+        constexpr float near = 0.05f;
+        for (; size < candidates.size; ++size) {
+            const std::uint32_t i = candidates.section[size];
+            const std::uint32_t j = i + 1 == c.section_count ? 0 : i + 1;
+            Section& s = section[size];
+            s.index = c.first_section + i;
+            s.next = c.first_section + j;
+            s.px = xs[i];
+            s.py = ys[i];
+            s.qx = xs[j];
+            s.qy = ys[j];
+            s.nx = s.qy - s.py;
+            s.ny = s.px - s.qx;
+            s.away = s.nx * (s.px - eye.x) + s.ny * (s.py - eye.y);
+            s.first_face = scene.section_tails[s.index].first_face;
+            s.top_face = scene.section_tails[s.index + 1].first_face - 1;
+            const float squared = s.nx * s.nx + s.ny * s.ny;
+            s.inverse = 1.0f / root(squared);
+            is_known &= s.away > 0 && s.away * s.away > near * near * squared;
+        }
     }
+};
+
+/// The cells that rays between four corners cross, as far as they are asked for; a few are remembered.
+class Outlooks {
+public:
+    Outlooks(const accel::SceneView& scene, const CameraFrame& camera, const Rectangle& at)
+        : scene_(scene), camera_(camera), corners_(camera, at) {}
+
+    /// Its height does not matter: a mirrored eye sees the same.
+    [[nodiscard]] HWY_INLINE const Outlook& on(std::uint32_t cell) {
+        Outlook& outlook = outlooks_[cell % remembered];
+        if (HWY_UNLIKELY(outlook.cell != cell)) outlook.make(scene_, cell, camera_.origin, corners_);
+        return outlook;
+    }
+
+private:
+    static constexpr std::uint32_t remembered = 4;
+    const accel::SceneView& scene_;
+    const CameraFrame& camera_;
+    Corners4 corners_;
+    Outlook outlooks_[remembered];
+};
+
+/// N rays of the camera through pixels of a rectangle. What only the sides of lines need is made when one is asked for.
+template <int N>
+struct EyeRays {
+    Outlooks& outlooks;  ///< from the camera, through more than these rays
+    Vec3f eye;           ///< the camera's, or its image in a floor
+    Points<N> direction;
+    Bits descends;  ///< dz < 0
+    Bits climbs;    ///< dz > 0
+    mutable bool has_lines = false;
+    mutable Floats<N> moment, minus_dy, threshold;
+
+    HWY_INLINE EyeRays(Outlooks& outlooks_, Vec3f eye_, const Points<N>& direction_)
+        : outlooks(outlooks_),
+          eye(eye_),
+          direction(direction_),
+          descends(is_less(direction_.z, Floats<N>(0))),
+          climbs(is_less(Floats<N>(0), direction_.z)) {}
+
+    HWY_INLINE void mirror(float floor) {
+        eye.z = floor + (floor - eye.z);
+        direction.z = -direction.z;
+        const Bits swapped = descends;
+        descends = climbs;
+        climbs = swapped;
+    }
+    /// The same rays as any others are walked.
+    [[nodiscard]] HWY_INLINE Rays<N> all() const {
+        return make_rays(Points<N>{Floats<N>(eye.x), Floats<N>(eye.y), Floats<N>(eye.z)}, direction);
+    }
+    [[nodiscard]] HWY_NOINLINE Ray<float> ray(int lane) const { return all().ray(lane); }
+    HWY_INLINE void need_lines() const {
+        if (has_lines) return;
+        has_lines = true;
+        const Rays<N> rays = all();
+        moment = rays.moment;
+        minus_dy = rays.minus_dy;
+        threshold = rays.threshold;
+    }
+};
+
+template <int N>
+HWY_INLINE Bits left_of(const EyeRays<N>& rays, float x, float y) {
+    return is_less(rays.threshold,
+                   fused_lanes(Floats<N>(y), rays.direction.x, fused_lanes(Floats<N>(x), rays.minus_dy, rays.moment)));
 }
 
-/// As for any rays (leave-inl.h), but for the crossings, which nobody asks for.
-template <int N, class Visit>
-HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const EyeRays<N>& rays, const accel::Cell& cell,
-                                    Bits mask, const Visit& visit) {
-    using F = Floats<N>;
-    const float* xs = scene.section_x.first + cell.first_section;
-    const float* ys = scene.section_y.first + cell.first_section;
-    const std::uint32_t count = cell.section_count;
-    Accepting accepting;
-    find_sections(rays, xs, ys, count, mask, accepting);
+/// Faces by which rays leave a cell, and those for which there are several or none.
+template <int N>
+struct Ways {
+    int size = 0;
+    Bits alone = 0;
+    Way of[N + 2];  // as many as are said
 
-    // From nearer than this to its plane a section is crossed nobody knows where: rays may run along it, and the
-    // quotient below is noise over noise (README.md).
-    constexpr float near = 0.05f;
-    const F dz = rays.direction.z;
-    Bits by_floor = 0, by_ceiling = 0, doubtful = 0;
-    for (int k = 0; k < accepting.size; ++k) {
-        Bits left = accepting.of[k].rays & ~accepting.several;
-        if (HWY_UNLIKELY(left == 0)) continue;
-        const std::uint32_t i = accepting.of[k].section;
-        const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        const float nx = ys[j] - ys[i], ny = xs[i] - xs[j];
-        const float away = nx * (xs[i] - rays.eye.x) + ny * (ys[i] - rays.eye.y);
-        if (HWY_UNLIKELY(!(away > 0 && away * away > near * near * (nx * nx + ny * ny)))) {
-            doubtful |= left;
-            continue;
+    Ways() {}
+    HWY_INLINE void add(const Way& way) { of[size++] = way; }
+};
+
+/// Which rays each section of an outlook accepts (step 1).
+template <int N>
+struct Accepted {
+    Bits by[Outlook::most];
+    Bits seen = 0, several = 0;
+
+    HWY_INLINE Accepted(const EyeRays<N>& rays, const Outlook& outlook, Bits mask) {
+        if (HWY_LIKELY(outlook.size == 1)) {
+            by[0] = seen = mask;
+            return;
         }
-        const F den = fused_lanes(F(nx), rays.direction.x, F(ny) * rays.direction.y);
-        const F rise = F(away) * dz;
-        const Bits down = left & rays.descends & is_less(rise, F(cell.z_floor - rays.eye.z) * den);
-        by_floor |= down;
-        left &= ~down;
-        const Bits up = left & rays.climbs & ~is_less(rise, F(cell.z_ceiling - rays.eye.z) * den);
-        by_ceiling |= up;
-        left &= ~up;
+        rays.need_lines();
+        std::uint32_t tested = no_section;
+        Bits q_left = 0;
+        for (std::uint32_t k = 0; k < outlook.size; ++k) {
+            const Outlook::Section& s = outlook.section[k];
+            const Bits p_left = tested == s.index ? q_left : left_of(rays, s.px, s.py);
+            q_left = left_of(rays, s.qx, s.qy);
+            tested = s.next;
+            by[k] = ~p_left & q_left & mask;
+            several |= seen & by[k];
+            seen |= by[k];
+        }
+    }
+};
+
+template <int N>
+HWY_NOINLINE void leave_as_any(const accel::SceneView& scene, const EyeRays<N>& rays, std::uint32_t cell, Bits mask,
+                               Ways<N>& ways) {
+    ways.alone |= leave_cell_together(scene, rays.all(), cell, mask,
+                                      [&](const Way& way, const Crossings<N>&) HWY_ATTR { ways.add(way); });
+}
+
+/// As any rays leave a cell (leave-inl.h), by what the outlook knows of it.
+template <int N>
+HWY_INLINE void leave_cell_by(const accel::SceneView& scene, const EyeRays<N>& rays, const Outlook& outlook, Bits mask,
+                              Ways<N>& ways) {
+    using F = Floats<N>;
+    if (HWY_UNLIKELY(!outlook.is_known)) return leave_as_any(scene, rays, outlook.cell, mask, ways);
+    const Accepted<N> accepted(rays, outlook, mask);
+    const accel::Cell& cell = scene.cells[outlook.cell];
+    const F dz = rays.direction.z;
+    const float floor_rise = cell.z_floor - rays.eye.z, ceiling_rise = cell.z_ceiling - rays.eye.z;
+    Bits by_floor = 0, by_ceiling = 0;
+    for (std::uint32_t k = 0; k < outlook.size; ++k) {
+        Bits left = accepted.by[k] & ~accepted.several;
         if (left == 0) continue;
-        const std::uint32_t section = cell.first_section + i, next = cell.first_section + j;
-        std::uint32_t face = scene.section_tails[section].first_face;
-        const std::uint32_t top = scene.section_tails[section + 1].first_face - 1;
-        for (; face < top; ++face) {
+        const Outlook::Section& s = outlook.section[k];
+        const F den = fused_lanes(F(s.nx), rays.direction.x, F(s.ny) * rays.direction.y);
+        const F rise = F(s.away) * dz;
+        const Bits down = left & rays.descends & is_less(rise, F(floor_rise) * den);
+        const Bits up = left & rays.climbs & ~is_less(rise, F(ceiling_rise) * den);
+        by_floor |= down;
+        by_ceiling |= up;
+        left &= ~(down | up);
+        for (std::uint32_t face = s.first_face; face < s.top_face && left != 0; ++face) {
             const accel::SideFace& side = scene.side_faces[face];
             const Bits here = left & is_less(rise, F(side.z_top - rays.eye.z) * den);
             if (here == 0) continue;
-            visit(Way{here, Exit::Side, section, next, face, side.target});
+            ways.add({here, Exit::Side, s.index, s.next, face, side.target.bits});
             left &= ~here;
-            if (left == 0) break;
         }
-        if (left != 0) visit(Way{left, Exit::Side, section, next, top, scene.side_faces[top].target});
+        if (left != 0)
+            ways.add({left, Exit::Side, s.index, s.next, s.top_face, scene.side_faces[s.top_face].target.bits});
     }
-    if (HWY_UNLIKELY(doubtful != 0)) {
-        const auto ignore_crossings = [&](const Way& way, const Crossings<N>&) HWY_ATTR {
-            // Floors and ceilings are told of once.
-            if (way.exit == Exit::Floor) by_floor |= way.rays;
-            else if (way.exit == Exit::Ceiling) by_ceiling |= way.rays;
-            else visit(way);
-        };
-        doubtful = leave_cell_together(scene, rays.all(), cell, doubtful, ignore_crossings);
-    }
-    if (by_floor != 0) visit(Way{by_floor, Exit::Floor, no_section, no_section, 0, cell.floor});
-    if (by_ceiling != 0) visit(Way{by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling});
-    return (mask & (~accepting.seen | accepting.several)) | doubtful;
+    if (by_floor != 0) ways.add({by_floor, Exit::Floor, no_section, no_section, 0, cell.floor.bits});
+    if (by_ceiling != 0) ways.add({by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling.bits});
+    ways.alone |= mask & (~accepted.seen | accepted.several);
+}
+
+/// A step of the walk.
+template <int N, class Visit>
+HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const EyeRays<N>& rays, std::uint32_t cell,
+                                    Bits mask, const Visit& visit) {
+    Ways<N> ways;
+    leave_cell_by(scene, rays, rays.outlooks.on(cell), mask, ways);
+    for (int i = 0; i < ways.size; ++i) visit(ways.of[i]);
+    return ways.alone;
 }
 
 }  // namespace HWY_NAMESPACE

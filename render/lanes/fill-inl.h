@@ -19,10 +19,6 @@ struct Layers {
     int count = 0;
 };
 
-struct Rectangle {
-    int x0, y0, x1, y1;
-};
-
 /// An affine function over the image.
 struct Affine {
     float at_corner, by_x, by_y;

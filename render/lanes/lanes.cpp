@@ -57,20 +57,27 @@ HWY_INLINE void counted(const Job& job, const Body& body) {
 }
 
 void simd_tile(const detail::TileJob& job) {
+    constexpr int block_rays = lane_count < 8 ? 16 : 32;
+    constexpr int side = 32;  // of the rectangles that share an outlook on the camera's cell
     const accel::SceneView scene = *job.scene;
     counted(job, [&](auto& events) HWY_ATTR {
-        trace_blocks<32>(job, scene, Bundle{job.start_cell}, {job.x0, job.y0, job.x1, job.y1}, events);
+        for (int y = job.y0; y < job.y1; y += side)
+            for (int x = job.x0; x < job.x1; x += side) {
+                const Rectangle at = {x, y, x + side < job.x1 ? x + side : job.x1, y + side < job.y1 ? y + side : job.y1};
+                Outlooks outlooks(scene, *job.camera, at);
+                trace_blocks<block_rays>(job, scene, Bundle{job.start_cell}, outlooks, at, events);
+            }
     });
 }
 
 void packet_tile(const detail::TileJob& job) {
     const accel::SceneView scene = *job.scene;
+    const Canvas canvas(job);
     counted(job, [&](auto& events) HWY_ATTR {
-        const Canvas canvas(job);
         Packets packets(canvas, scene, events);
         for (int y = job.y0; y < job.y1; y += job.packets.largest)
             for (int x = job.x0; x < job.x1; x += job.packets.largest)
-                packets.trace({x, y, job.packets.largest}, Bundle{job.start_cell});
+                packets.trace({x, y, job.packets.largest}, Bundle{job.start_cell}, nullptr);
     });
 }
 

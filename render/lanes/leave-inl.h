@@ -59,8 +59,10 @@ struct Way {
     Exit exit;
     std::uint32_t section;  ///< for Exit::Side
     std::uint32_t next_section;
-    std::uint32_t face;  ///< for Exit::Side
-    accel::Target target;
+    std::uint32_t face;         ///< for Exit::Side
+    std::uint32_t target_bits;  ///< of accel::Target, which would write a zero to each of an array of ways
+
+    [[nodiscard]] HWY_INLINE accel::Target target() const { return {target_bits}; }
 };
 
 /// Where rays cross the plane of the section they leave by: t = num / den (walk.h, Crossing). Of no meaning for those
@@ -111,8 +113,9 @@ HWY_INLINE void find_sections(const Rays<N>& rays, const float* HWY_RESTRICT xs,
 /// Calls visit(way, crossings) for every face by which rays of the mask leave the cell, and returns those that several
 /// sections accept, or none does, for which nothing was called.
 template <int N, class Visit>
-HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>& rays, const accel::Cell& cell,
+HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>& rays, std::uint32_t cell_id,
                                     Bits mask, const Visit& visit) {
+    const accel::Cell& cell = scene.cells[cell_id];
     const float* xs = scene.section_x.first + cell.first_section;
     const float* ys = scene.section_y.first + cell.first_section;
     const std::uint32_t count = cell.section_count;
@@ -153,14 +156,14 @@ HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>
             const accel::SideFace& side = scene.side_faces[face];
             const Bits here = left & is_less(rise, (Floats<N>(side.z_top) - rays.origin.z) * at.den);
             if (here == 0) continue;
-            visit(Way{here, Exit::Side, section, next, face, side.target}, at);
+            visit(Way{here, Exit::Side, section, next, face, side.target.bits}, at);
             left &= ~here;
             if (left == 0) break;
         }
-        if (left != 0) visit(Way{left, Exit::Side, section, next, top, scene.side_faces[top].target}, at);
+        if (left != 0) visit(Way{left, Exit::Side, section, next, top, scene.side_faces[top].target.bits}, at);
     }
-    if (by_floor != 0) visit(Way{by_floor, Exit::Floor, no_section, no_section, 0, cell.floor}, at);
-    if (by_ceiling != 0) visit(Way{by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling}, at);
+    if (by_floor != 0) visit(Way{by_floor, Exit::Floor, no_section, no_section, 0, cell.floor.bits}, at);
+    if (by_ceiling != 0) visit(Way{by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling.bits}, at);
     return mask & (~accepting.seen | accepting.several);
 }
 

@@ -20,28 +20,25 @@ public:
     Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
         : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
 
-    /// Traces a tile from where its rays are.
-    void trace(const Tile& tile, Bundle bundle) {
+    /// Traces a tile from where its rays are. `known`: an outlook on the bundle's cell, through more than this tile.
+    void trace(const Tile& tile, Bundle bundle, Outlooks* known) {
         const Rectangle at = clipped(tile);
-        if (tile.side <= job_.packets.smallest) return trace_blocks<tile_rays>(job_, scene_, bundle, at, events_);
+        if (tile.side <= job_.packets.smallest) return trace_small(at, bundle, known);
         events_.began_tile();
         Bits present = 0;
         const Points<corner_count> directions = corner_directions(tile, present);
-        const Corners4 around(*job_.camera, static_cast<float>(at.x0) + 0.5f, static_cast<float>(at.y0) + 0.5f,
-                              static_cast<float>(at.x1) - 0.5f, static_cast<float>(at.y1) - 0.5f);
-        EyeRays<corner_count> rays(job_.camera->origin, directions, around);
+        Outlooks outlooks(scene_, *job_.camera, at);
+        EyeRays<corner_count> rays(outlooks, job_.camera->origin, directions);
         if (bundle.is_mirrored) rays.mirror(bundle.mirror_level);
         const std::uint64_t most_steps = scene_.cells.count + 16;
-        Ways ways;
+        Ways<corner_count> ways;
         for (std::uint64_t step = 0; step < most_steps; ++step) {
-            const accel::Cell& cell = scene_.cells[bundle.cell];
-            events_.entered_cell(cell.section_count);
+            events_.entered_cell(scene_.cells[bundle.cell].section_count);
             ways.size = 0;
-            const Bits alone =
-                leave_cell_together(scene_, rays, cell, present, [&](const Way& way) HWY_ATTR { ways.add(way); });
-            if (alone != 0 || ways.size != 1) break;
+            leave_cell_by(scene_, rays, outlooks.on(bundle.cell), present, ways);
+            if (ways.alone != 0 || ways.size != 1) break;
             const Way& way = ways.of[0];
-            if (way.target.is_portal()) {
+            if (way.target().is_portal()) {
                 go_on(way, bundle);
             } else if (!meets_mirror(way, bundle)) {
                 return fill_tile(at, way, bundle);
@@ -51,20 +48,19 @@ public:
             }
         }
         events_.split_tile();
-        split(tile, bundle, ways);
+        split(tile, bundle, ways, outlooks);
     }
 
 private:
     static constexpr Bits quarter_bits = 0xfu;
 
-    /// Faces by which corners leave a cell.
-    struct Ways {
-        int size = 0;
-        Way of[corner_count];  // as many as are said
-
-        Ways() {}
-        HWY_INLINE void add(const Way& way) { of[size++] = way; }
-    };
+    void trace_small(const Rectangle& at, const Bundle& bundle, Outlooks* known) {
+        // Asking few sections for nothing costs less than finding out which ones.
+        if (known != nullptr && known->on(bundle.cell).size <= 2)
+            return trace_blocks<tile_rays>(job_, scene_, bundle, *known, at, events_);
+        Outlooks outlooks(scene_, *job_.camera, at);
+        trace_blocks<tile_rays>(job_, scene_, bundle, outlooks, at, events_);
+    }
 
     [[nodiscard]] Rectangle clipped(const Tile& tile) const {
         return {tile.x, tile.y, tile.x + tile.side < job_.x1 ? tile.x + tile.side : job_.x1,
@@ -91,20 +87,20 @@ private:
     }
 
     [[nodiscard]] bool meets_mirror(const Way& way, const Bundle& bundle) const {
-        return !bundle.is_mirrored && is_mirror(job_, way, scene_.source_faces[way.target.bits]);
+        return !bundle.is_mirrored && is_mirror(job_, way, scene_.source_faces[way.target_bits]);
     }
 
     void go_on(const Way& way, Bundle& bundle) {
-        if (way.target.is_glass()) {
+        if (way.target().is_glass()) {
             bundle.tint = bundle.tint * tint_of(scene_, bundle.cell, way.exit, way.face);
             events_.crossed_glass();
         }
-        bundle.cell = static_cast<std::uint32_t>(way.target.neighbour());
+        bundle.cell = static_cast<std::uint32_t>(way.target().neighbour());
     }
 
     /// What a face adds, seen by the bundle.
     [[nodiscard]] Layer layer_of(const Way& way, const Bundle& bundle) const {
-        const accel::SourceFace& face = scene_.source_faces[way.target.bits];
+        const accel::SourceFace& face = scene_.source_faces[way.target_bits];
         const float turn = bundle.is_mirrored ? -1.0f : 1.0f;
         if (face.surface == accel::Surface::Sky) return {true, turn, {}, bundle.tint};
         const Vec3f n = outward_normal(scene_, way);
@@ -128,7 +124,8 @@ private:
     }
 
     /// Quarters whose corners agree go on by themselves, the others from this cell.
-    void split(const Tile& tile, const Bundle& bundle, const Ways& ways) {
+    void split(const Tile& tile, const Bundle& bundle, const Ways<corner_count>& ways,
+               Outlooks& outlooks) {
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
             const Tile quarter = {tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half};
@@ -140,15 +137,15 @@ private:
                 if ((ways.of[i].rays & bits) == bits) one = &ways.of[i];
             Bundle part = bundle;
             if (one == nullptr) {
-                trace(quarter, part);
-            } else if (one->target.is_portal()) {
+                trace(quarter, part, &outlooks);
+            } else if (one->target().is_portal()) {
                 go_on(*one, part);
-                trace(quarter, part);
+                trace(quarter, part, nullptr);
             } else if (!meets_mirror(*one, part)) {
                 fill_tile(at, *one, part);
             } else {
                 reflect(*one, part);
-                trace(quarter, part);
+                trace(quarter, part, &outlooks);
             }
         }
     }

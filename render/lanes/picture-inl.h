@@ -48,6 +48,19 @@ template <int N>
 inline constexpr BlockCentres<N> block_centres;
 
 template <int N>
+HWY_INLINE void store_pixels(const detail::TileJob& job, const Rectangle& at, const std::uint32_t* HWY_RESTRICT pixels) {
+    constexpr int block = block_width<N>;
+    if (HWY_LIKELY(at.x1 - at.x0 == block && at.y1 - at.y0 == block_height)) {
+        for (int y = 0; y < block_height; ++y)
+            std::memcpy(pixel_rgba(job, at.x0, at.y0 + y), pixels + y * block, sizeof *pixels * block);
+        return;
+    }
+    for (int y = at.y0; y < at.y1; ++y)
+        std::memcpy(pixel_rgba(job, at.x0, y), pixels + (y - at.y0) * block,
+                    static_cast<std::size_t>(at.x1 - at.x0) * sizeof *pixels);
+}
+
+template <int N>
 HWY_INLINE void store_block(const detail::TileJob& job, const Rectangle& at, const Light<N>& light) {
     constexpr int block = block_width<N>;
     const int width = at.x1 - at.x0;
@@ -55,15 +68,7 @@ HWY_INLINE void store_block(const detail::TileJob& job, const Rectangle& at, con
         HWY_ALIGN std::uint32_t pixels[N];
         for (int k = 0; k < light.r.vectors; ++k)
             hn::Store(encoded_lanes(light.r.v[k], light.g.v[k], light.b.v[k]), DU(), pixels + k * lane_count);
-        if (HWY_LIKELY(width == block && at.y1 - at.y0 == block_height)) {
-            for (int y = 0; y < block_height; ++y)
-                std::memcpy(pixel_rgba(job, at.x0, at.y0 + y), pixels + y * block, sizeof *pixels * block);
-            return;
-        }
-        for (int y = at.y0; y < at.y1; ++y)
-            std::memcpy(pixel_rgba(job, at.x0, y), pixels + (y - at.y0) * block,
-                        static_cast<std::size_t>(width) * sizeof *pixels);
-        return;
+        return store_pixels<N>(job, at, pixels);
     }
     HWY_ALIGN float channels[3][N];
     store(light.r, channels[0]);
@@ -109,25 +114,112 @@ HWY_NOINLINE Floats<N> exact_inverse_root(const Floats<N>& a) {
     return Floats<N>(1) / root_of(a);
 }
 
-/// Traces a block's rays from the bundle's cell and writes their light.
+/// Three channels that all pixels of a face share, as its cosine's root multiplies them.
+struct FaceColour {
+    V r, g, b;
+    HWY_INLINE explicit FaceColour(Vec3f colour) {
+        const auto full = [](float channel) HWY_ATTR {
+            return hn::Set(D(), 255.0f * (channel < 1 ? root(channel) : 1.0f));
+        };
+        r = full(colour.x);
+        g = full(colour.y);
+        b = full(colour.z);
+    }
+};
+
+/// Stores a block of one face; facing: normal . direction.
+template <int N>
+HWY_INLINE void store_face(const detail::TileJob& job, const Rectangle& at, const Floats<N>& facing,
+                           const Points<N>& d, const FaceColour& colour) {
+    const V rounding = hn::Set(D(), rounds_to_integer);
+    HWY_ALIGN std::uint32_t pixels[N];
+    for (int k = 0; k < d.x.vectors; ++k) {
+        const V squared =
+            hn::MulAdd(d.x.v[k], d.x.v[k], hn::MulAdd(d.y.v[k], d.y.v[k], hn::Mul(d.z.v[k], d.z.v[k])));
+        const V bright = quick_root(hn::Mul(facing.v[k], hn::ApproximateReciprocalSqrt(squared)));
+        hn::Store(packed(DU(), hn::MulAdd(bright, colour.r, rounding), hn::MulAdd(bright, colour.g, rounding),
+                         hn::MulAdd(bright, colour.b, rounding)),
+                  DU(), pixels + k * lane_count);
+    }
+    store_pixels<N>(job, at, pixels);
+}
+
+/// A block all of whose rays have one way to go, found without asking for more than one section a cell: most are.
+/// Returns false, having done nothing, where it is none.
 template <int N, class Events>
-HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
-                            const Rectangle& at, Events& events) {
+HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
+                                  Outlooks& outlooks, const Rectangle& at, const Points<N>& d, Events& events) {
     using F = Floats<N>;
-    const F x = F(static_cast<float>(at.x0)) + load<N>(block_centres<N>.x);
-    const F y = F(static_cast<float>(at.y0)) + load<N>(block_centres<N>.y);
-    const Corners4 corners(*job.camera, static_cast<float>(at.x0) + 0.5f, static_cast<float>(at.y0) + 0.5f,
-                           static_cast<float>(at.x0 + block_width<N>) - 0.5f,
-                           static_cast<float>(at.y0 + block_height) - 0.5f);
-    EyeRays<N> rays(job.camera->origin, directions(*job.camera, x, y), corners);
+    Vec3f tint = bundle.tint;
+    std::uint32_t id = bundle.cell;
+    const float eye_z = job.camera->origin.z;
+    const Bits descends = is_less(d.z, F(0)), climbs = is_less(F(0), d.z);
+    constexpr int most_cells = 64;  // the others are walked as any
+    for (int step = 0; step < most_cells; ++step) {
+        const Outlook& outlook = outlooks.on(id);
+        if (HWY_UNLIKELY(outlook.size != 1 || !outlook.is_known)) return false;
+        const Outlook::Section& s = outlook.section[0];
+        const accel::Cell& cell = scene.cells[id];
+        for (int i = 0; i < N; ++i) events.entered_cell(cell.section_count);
+        const F den = fused_lanes(F(s.nx), d.x, F(s.ny) * d.y);
+        const F rise = F(s.away) * d.z;
+        const Bits down = descends & is_less(rise, F(cell.z_floor - eye_z) * den);
+        const Bits up = climbs & ~is_less(rise, F(cell.z_ceiling - eye_z) * den);
+        Way way;
+        way.section = s.index;
+        way.next_section = s.next;
+        way.face = s.top_face;
+        if (down == all_bits<N>) {
+            way.exit = Exit::Floor;
+            way.target_bits = cell.floor.bits;
+        } else if (up == all_bits<N>) {
+            way.exit = Exit::Ceiling;
+            way.target_bits = cell.ceiling.bits;
+        } else {
+            if ((down | up) != 0) return false;
+            way.exit = Exit::Side;
+            for (std::uint32_t face = s.first_face; face < s.top_face; ++face) {
+                const Bits here = is_less(rise, F(scene.side_faces[face].z_top - eye_z) * den);
+                if (here == 0) continue;
+                if (here != all_bits<N>) return false;
+                way.face = face;
+                break;
+            }
+            way.target_bits = scene.side_faces[way.face].target.bits;
+        }
+        if (way.target().is_portal()) {
+            if (way.target().is_glass()) {
+                tint = tint * tint_of(scene, id, way.exit, way.face);
+                for (int i = 0; i < N; ++i) events.crossed_glass();
+            }
+            id = static_cast<std::uint32_t>(way.target().neighbour());
+            continue;
+        }
+        const accel::SourceFace& face = scene.source_faces[way.target_bits];
+        if (face.surface == accel::Surface::Sky || is_mirror(job, way, face)) return false;
+        const FaceColour colour(tint * colour_of(scene, face));
+        for (int i = 0; i < N; ++i) events.began_walk();
+        if (way.exit == Exit::Side) store_face(job, at, den * F(s.inverse), d, colour);
+        else store_face(job, at, magnitude_of(d.z), d, colour);
+        return true;
+    }
+    return false;
+}
+
+/// The light of a block whose rays may go different ways, followed to their ends.
+template <int N, class Events>
+HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
+                               Outlooks& outlooks, const Rectangle& at, const Points<N>& directions, Events& events) {
+    using F = Floats<N>;
+    EyeRays<N> rays(outlooks, job.camera->origin, directions);
     if (HWY_UNLIKELY(bundle.is_mirrored)) rays.mirror(bundle.mirror_level);
+    const Bits active = rays_within<N>(at);
+    for (Bits left = active; left != 0; left &= left - 1) events.began_walk();
     Seen<N> seen(job, scene, rays.direction, bundle.is_mirrored);
     Tints<N> tints;
-    Groups groups;
-    const Bits active = rays_within<N>(at);
-    groups.add(bundle.cell, active);
-    for (Bits left = active; left != 0; left &= left - 1) events.began_walk();
-    walk_together(scene, rays, groups, Unlimited{}, tints, seen, events);
+    Groups start;
+    start.add(bundle.cell, active);
+    walk_together(scene, rays, start, Unlimited{}, tints, seen, events);
 
     const F squared = dot_lanes(rays.direction, rays.direction);
     F inverse_length = quick_inverse_root(squared);
@@ -147,15 +239,36 @@ HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& 
     store_block(job, at, light);
 }
 
+/// Traces a block's rays from the bundle's cell and writes their light.
+template <int N, class Events>
+HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
+                            Outlooks& outlooks, const Rectangle& at, Events& events) {
+    using F = Floats<N>;
+    const F x = F(static_cast<float>(at.x0)) + load<N>(block_centres<N>.x);
+    const F y = F(static_cast<float>(at.y0)) + load<N>(block_centres<N>.y);
+    const Points<N> d = directions(*job.camera, x, y);
+    const bool is_plain = job.rgb == nullptr && !bundle.is_mirrored && bundle.layers.count == 0;
+    if (is_plain && trace_plain_block(job, scene, bundle, outlooks, at, d, events)) return;
+    follow_block(job, scene, bundle, outlooks, at, d, events);
+}
+
+/// Stores wait in line, and what waits for memory holds all behind it up: the picture's lines are asked for before.
+HWY_INLINE void ask_for_lines(const detail::TileJob& job, const Rectangle& at) {
+    constexpr int pixels_a_line = 16;
+    for (int y = at.y0; y < at.y1; ++y)
+        for (int x = at.x0; x < at.x1; x += pixels_a_line) __builtin_prefetch(pixel_rgba(job, x, y), 1, 3);
+}
+
 /// A rectangle by blocks of N pixels.
 template <int N, class Events>
 HWY_NOINLINE void trace_blocks(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
-                               const Rectangle& at, Events& events) {
+                               Outlooks& outlooks, const Rectangle& at, Events& events) {
     constexpr int block = block_width<N>;
+    if (job.rgb == nullptr) ask_for_lines(job, at);
     for (int y = at.y0; y < at.y1; y += block_height)
         for (int x = at.x0; x < at.x1; x += block)
             trace_block<N>(
-                job, scene, bundle,
+                job, scene, bundle, outlooks,
                 {x, y, at.x1 - x < block ? at.x1 : x + block, at.y1 - y < block_height ? at.y1 : y + block_height},
                 events);
 }

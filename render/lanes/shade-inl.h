@@ -48,7 +48,7 @@ struct Seen {
         : job(job_), scene(scene_), direction(direction_), is_mirrored(is_mirrored_) {}
 
     HWY_INLINE void hit(const Way& way, std::uint32_t cell, const auto&...) {
-        const accel::SourceFace& face = scene.source_faces[way.target.bits];
+        const accel::SourceFace& face = scene.source_faces[way.target_bits];
         if (face.surface == accel::Surface::Sky) {
             sky |= way.rays;
             return;

@@ -99,7 +99,7 @@ struct Ends {
             const Lanes level = Lanes(way.exit == Exit::Floor ? c.z_floor : c.z_ceiling);
             t = choose(way.rays, (level - rays.origin.z) / rays.direction.z, t);
         }
-        set_lanes<stream_rays>(way.rays, way.target.bits, face);
+        set_lanes<stream_rays>(way.rays, way.target_bits, face);
         set_lanes<stream_rays>(way.rays, cell_, cell);
     }
     HWY_INLINE void reached(Bits which, std::uint32_t cell_) {

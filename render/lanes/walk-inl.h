@@ -95,7 +95,7 @@ HWY_NOINLINE void walk_by_itself(const accel::SceneView& scene, const SomeRays& 
     if (!(throughput == Vec3f{1, 1, 1}) || tints.any) tints.multiply(bit, throughput);
     if (end.status == WalkStatus::Leak) return sink.leaked(bit, end.cell);
     if (end.status == WalkStatus::Reached) return sink.reached(bit, end.cell);
-    sink.hit(Way{bit, end.exit, end.section, end.next_section, end.face, end.target}, end.cell,
+    sink.hit(Way{bit, end.exit, end.section, end.next_section, end.face, end.target.bits}, end.cell,
              Crossings<N>{Floats<N>(end.num), Floats<N>(end.den)});
 }
 
@@ -104,51 +104,86 @@ HWY_NOINLINE void walk_by_itself(const accel::SceneView& scene, const SomeRays& 
 /// sink.leaked(rays, cell) for those that do not end (walk.h); sink.enter(rays, cell) as they go on, which returns
 /// those that need go no further. Crossings are what leave_cell_together tells of such rays.
 template <int N, class SomeRays, class Limiting, class Sink, class Events>
+class Walk {
+public:
+    HWY_INLINE Walk(const accel::SceneView& scene, const SomeRays& rays, const Groups& start, const Limiting& limits,
+                    Tints<N>& tints, Sink& sink, Events& events)
+        : scene_(scene), rays_(rays), start_(start), limits_(limits), tints_(tints), sink_(sink), events_(events) {
+        if (HWY_UNLIKELY(tints.any)) tints_before_ = tints;
+    }
+
+    /// Some rays leave a cell by this way.
+    HWY_INLINE void take(std::uint32_t cell, const Way& way, const auto&... at) {
+        Way rest = way;
+        const accel::Cell& c = scene_.cells[cell];
+        const Bits reached =
+            way.rays & (way.exit == Exit::Side
+                            ? limits_.before_side(at...)
+                            : limits_.before_level(way.exit == Exit::Floor ? c.z_floor : c.z_ceiling, rays_));
+        if (reached != 0) {
+            sink_.reached(reached, cell);
+            rest.rays &= ~reached;
+            if (rest.rays == 0) return;
+        }
+        if (!way.target().is_portal()) return sink_.hit(rest, cell, at...);
+        if (way.target().is_glass()) {
+            tints_.multiply(rest.rays, tint_of(scene_, cell, way.exit, way.face));
+            for (Bits left = rest.rays; left != 0; left &= left - 1) events_.crossed_glass();
+        }
+        const auto neighbour = static_cast<std::uint32_t>(way.target().neighbour());
+        rest.rays &= ~sink_.enter(rest.rays, neighbour);
+        if (rest.rays != 0) next_->add(neighbour, rest.rays);
+    }
+    /// These are walked by themselves, from where they began.
+    HWY_INLINE void leave_alone(Bits rays) { alone_ |= rays; }
+
+    /// From their first cells.
+    HWY_INLINE void run() { follow(start_, 0); }
+    /// After the first step was taken, by `take`.
+    HWY_INLINE void run_on() { follow(lists_[0], 1); }
+
+private:
+    HWY_INLINE void follow(const Groups& first, std::uint64_t steps) {
+        const Groups* now = &first;
+        for (; now->size > 0 && steps < scene_.cells.count + 16; ++steps) {
+            next_ = &lists_[steps & 1];
+            next_->size = 0;
+            for (int g = 0; g < now->size; ++g) {
+                const Group group = now->of[g];
+                for (Bits left = group.rays; left != 0; left &= left - 1)
+                    events_.entered_cell(scene_.cells[group.cell].section_count);
+                alone_ |= leave_cell_together(scene_, rays_, group.cell, group.rays,
+                                              [&](const Way& way, const auto&... at)
+                                                  HWY_ATTR { take(group.cell, way, at...); });
+            }
+            now = next_;
+        }
+        // A circle about a vertical line: the scalar walk knows how to leave it.
+        for (int g = 0; g < now->size; ++g) alone_ |= now->of[g].rays;
+        for (; HWY_UNLIKELY(alone_ != 0); alone_ &= alone_ - 1) {
+            const int ray = static_cast<int>(lowest_bit(alone_));
+            tints_.restore(ray, tints_before_);
+            walk_by_itself(scene_, rays_, ray, start_.cell_of(ray), limits_, tints_, sink_, events_);
+        }
+    }
+
+    const accel::SceneView& scene_;
+    const SomeRays& rays_;
+    const Groups& start_;
+    const Limiting& limits_;
+    Tints<N>& tints_;
+    Tints<N> tints_before_;
+    Sink& sink_;
+    Events& events_;
+    Groups lists_[2];
+    Groups* next_ = &lists_[0];
+    Bits alone_ = 0;
+};
+
+template <int N, class SomeRays, class Limiting, class Sink, class Events>
 HWY_INLINE void walk_together(const accel::SceneView& scene, const SomeRays& rays, const Groups& start,
                               const Limiting& limits, Tints<N>& tints, Sink& sink, Events& events) {
-    Tints<N> before;
-    if (HWY_UNLIKELY(tints.any)) before = tints;
-    Groups lists[2];
-    const Groups* now = &start;
-    Bits alone = 0;
-    std::uint64_t steps = 0;
-    for (; now->size > 0 && steps < scene.cells.count + 16; ++steps) {
-        Groups& then = lists[steps & 1];
-        then.size = 0;
-        for (int g = 0; g < now->size; ++g) {
-            const Group group = now->of[g];
-            const accel::Cell& cell = scene.cells[group.cell];
-            const auto visit = [&](const Way& way, const auto&... at) HWY_ATTR {
-                Way rest = way;
-                const float level = way.exit == Exit::Floor ? cell.z_floor : cell.z_ceiling;
-                const Bits reached = way.rays & (way.exit == Exit::Side ? limits.before_side(at...)
-                                                                        : limits.before_level(level, rays));
-                if (reached != 0) {
-                    sink.reached(reached, group.cell);
-                    rest.rays &= ~reached;
-                    if (rest.rays == 0) return;
-                }
-                if (!way.target.is_portal()) return sink.hit(rest, group.cell, at...);
-                if (way.target.is_glass()) {
-                    tints.multiply(rest.rays, tint_of(scene, group.cell, way.exit, way.face));
-                    for (Bits left = rest.rays; left != 0; left &= left - 1) events.crossed_glass();
-                }
-                const auto neighbour = static_cast<std::uint32_t>(way.target.neighbour());
-                rest.rays &= ~sink.enter(rest.rays, neighbour);
-                if (rest.rays != 0) then.add(neighbour, rest.rays);
-            };
-            for (Bits left = group.rays; left != 0; left &= left - 1) events.entered_cell(cell.section_count);
-            alone |= leave_cell_together(scene, rays, cell, group.rays, visit);
-        }
-        now = &then;
-    }
-    // A circle about a vertical line: the scalar walk knows how to leave it.
-    for (int g = 0; g < now->size; ++g) alone |= now->of[g].rays;
-    for (; HWY_UNLIKELY(alone != 0); alone &= alone - 1) {
-        const int ray = static_cast<int>(lowest_bit(alone));
-        tints.restore(ray, before);
-        walk_by_itself(scene, rays, ray, start.cell_of(ray), limits, tints, sink, events);
-    }
+    Walk<N, SomeRays, Limiting, Sink, Events>(scene, rays, start, limits, tints, sink, events).run();
 }
 
 }  // namespace HWY_NAMESPACE
