@@ -124,6 +124,14 @@ struct TraceCommandOptions {
 };
 int run_trace(const TraceCommandOptions& options, const Console& console);
 
+struct TourCommandOptions {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< a view file
+    std::uint32_t views = 24;
+    std::uint32_t rooms = 8;
+};
+int run_tour(const TourCommandOptions& options, const Console& console);
+
 struct ExportOptions {
     std::filesystem::path scene;
     std::filesystem::path output;

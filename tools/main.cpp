@@ -285,6 +285,20 @@ void add_trace(CLI::App& app, Invocation& invocation, TraceCommandOptions& optio
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
 }
 
+void add_tour(CLI::App& app, Invocation& invocation, TourCommandOptions& options) {
+    CLI::App* command = add_command(app, invocation, options, "tour",
+                                    "Walk through a building, from room to room, and save the views along the way.",
+                                    "  enfilade tour house.enf -o house.views.json\n"
+                                    "  enfilade render house.enf --views house.views.json -o tour/",
+                                    run_tour);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_needed(command, "-o,--output", options.output, "FILE",
+               "the view file to write, JSON (docs/views.schema.json) (needed)");
+    add_value(command, "--views", options.views, "N", "how many views (24)")->check(CLI::Range(1u, 100000u));
+    add_value(command, "--rooms", options.rooms, "N", "how many rooms, or places in them, the walk leads to (8)")
+        ->check(CLI::Range(1u, 1000u));
+}
+
 void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {
     CLI::App* command = add_command(
         app, invocation, options, "export", "Write a scene in a format of other programs.",
@@ -355,6 +369,7 @@ int run(int argument_count, char** arguments) {
     InfoOptions info_options;
     RenderOptions render_options;
     TraceCommandOptions trace_options;
+    TourCommandOptions tour_options;
     ExportOptions export_options;
     BenchOptions bench_options;
     add_import(app, invocation, import_options);
@@ -364,6 +379,7 @@ int run(int argument_count, char** arguments) {
     add_info(app, invocation, info_options);
     add_render(app, invocation, render_options);
     add_trace(app, invocation, trace_options);
+    add_tour(app, invocation, tour_options);
     add_export(app, invocation, export_options);
     add_bench(app, invocation, bench_options);
 

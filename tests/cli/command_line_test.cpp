@@ -19,7 +19,7 @@ TEST_F(CommandLine, ShowsHelpWhereNothingIsAsked) {
 }
 
 TEST_F(CommandLine, EveryCommandHasHelpWithAnExample) {
-    for (const char* command : {"import", "generate", "build", "check", "info", "render", "export", "bench"}) {
+    for (const char* command : {"import", "generate", "build", "check", "info", "render", "tour", "export", "bench"}) {
         const Outcome outcome = run({command, "--help"});
         EXPECT_EQ(outcome.exit_code, 0) << command;
         EXPECT_NE(outcome.out.find("Example:\n  enfilade " + std::string(command)), std::string::npos) << outcome.out;

@@ -101,7 +101,7 @@ TEST_F(ViewFiles, AnEyeOnAPortalStandsInTheOneCellThatHoldsIt) {
                                (double(scene().section_y[s]) + scene().section_y[next]) / 2, cell.z_floor + 0.25};
             view.camera.target = view.camera.eye + render::Vec3d{1, 1, 0};
             const SavedView saved = tools::as_saved(view, scene());
-            const std::uint32_t other = index(scene().side_faces[face].target.neighbour());
+            const std::size_t other = index(scene().side_faces[face].target.neighbour());
             EXPECT_TRUE(saved.cell == portal.front || index(saved.cell) == other);
             const ViewFile file =
                 tools::parse_views(tools::view_file_text(std::vector{saved}, scene()), "tour.json", scene());
