@@ -2,6 +2,7 @@
 
 #include "render/trace.h"
 #include "tools/bench_cells.h"
+#include "tools/fill_limit.h"
 
 namespace enfilade::tools {
 
@@ -47,18 +48,25 @@ void bench_primary(Bench& bench, const TracedBuilding& building) {
                                        for (const PreparedView& view : views)
                                            building.embree.trace_lambert(view.frame, way, *cores.executor, image);
                                    }});
+        if (has_fill_limit())
+            competitors.push_back({"fill limit", [&] {
+                                       for (const PreparedView& view : views)
+                                           fill_limit(scene, view, *cores.executor, image);
+                                   }});
         const RayContest contest(bench.quick() ? 3 : 9, double(side) * side * double(view_count),
                                  std::move(competitors), cores.clock);
-        const auto add = [&](std::size_t k, std::size_t reference, double goal) {
-            BenchRow row = contest.row(contest.name(k) + ", primary rays and Lambert", k, reference);
+        const auto add = [&](const std::string& who, std::size_t k, std::size_t reference, double goal) {
+            BenchRow row = contest.row(who + ", primary rays and Lambert", k, reference);
             row.scene = building.name;
             row.threads = cores.threads;
             row.goal = ratio_at_least(goal);
             bench.add(std::move(row));
         };
-        add(0, 3, 8);
-        add(1, 4, 8);
-        add(2, 4, 30);
+        const std::size_t single = 3, packets = 4, limit = 5;
+        add("scalar", 0, single, 8);
+        add("simd", 1, packets, 8);
+        add("packet", 2, packets, 30);
+        if (has_fill_limit()) add("packet against the fill limit", 2, limit, 0.6);
     }
 }
 

@@ -107,10 +107,10 @@ TRACED = {"primary rays and Lambert": "Pictures of 1024x1024, Lambert into the f
 
 
 def against(rows):
-    """'44 (16, coherent, quads)' for each reference, single rays first."""
+    """'44 (16, coherent, quads)' for each reference, Embree's single rays first, the fill limit last."""
     named = {row["reference"]: row for row in rows if row["reference"]}
     texts = [f"{number(row['reference_value'])} ({name.removeprefix('Embree rtcIntersect').removeprefix('Embree rtcOccluded')})"
-             for name, row in named.items() if name.startswith("Embree")]
+             for name, row in named.items()]
     return "; ".join(texts)
 
 
@@ -122,7 +122,7 @@ def traced_table(what, rows):
     has_one = len(set(goals.values())) == 1  # of whoever is fastest, or for each
     heads = [name + (f" (goal {goals[name]})" if name in goals and not has_one else "") for name in tracers]
     title = TRACED[what] + (f" (goal of our fastest: {next(iter(goals.values()))} times as fast)" if has_one else "")
-    lines = [f"### {title}\n", "| on | threads | " + " | ".join(heads) + " | Embree |", "|---|--:|" + "--:|" * len(heads) + "---|"]
+    lines = [f"### {title}\n", "| on | threads | " + " | ".join(heads) + " | against |", "|---|--:|" + "--:|" * len(heads) + "---|"]
     for (scene, threads), line in itertools.groupby(rows, key=lambda row: (row["scene"], row["threads"])):
         line = list(line)
         named = {row["row"].removesuffix(ends): row for row in line}
