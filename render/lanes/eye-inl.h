@@ -80,7 +80,7 @@ struct Outlook {
         float px, py, qx, qy;             ///< where it begins and ends
         float nx, ny;                     ///< its outward normal, of its length
         float away;                       ///< from the point to its plane, times its length
-        float inverse;                    ///< 1 over its length
+        float squared;                    ///< its length, squared
         std::uint32_t first_face, top_face;
     };
     std::uint32_t cell = no_section;  ///< none: not made yet
@@ -119,9 +119,8 @@ struct Outlook {
             s.away = s.nx * (s.px - eye.x) + s.ny * (s.py - eye.y);
             s.first_face = scene.section_tails[s.index].first_face;
             s.top_face = scene.section_tails[s.index + 1].first_face - 1;
-            const float squared = s.nx * s.nx + s.ny * s.ny;
-            s.inverse = 1.0f / root(squared);
-            is_known &= s.away > 0 && s.away * s.away > near * near * squared;
+            s.squared = s.nx * s.nx + s.ny * s.ny;
+            is_known &= s.away > 0 && s.away * s.away > near * near * s.squared;
         }
     }
 };

@@ -21,9 +21,10 @@ public:
         : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
 
     /// Traces a tile from where its rays are. `known`: an outlook on the bundle's cell, through more than this tile.
-    void trace(const Tile& tile, Bundle bundle, Outlooks* known) {
+    void trace(const Tile& tile, const Bundle& from, Outlooks* known) {
         const Rectangle at = clipped(tile);
-        if (tile.side <= job_.packets.smallest) return trace_small(at, bundle, known);
+        if (tile.side <= job_.packets.smallest) return trace_small(at, from, known);
+        Bundle bundle = from;
         events_.began_tile();
         Bits present = 0;
         const Points<corner_count> directions = corner_directions(tile, present);
@@ -108,16 +109,16 @@ private:
     }
 
     void reflect(const Way& way, Bundle& bundle) const {
-        Layer floor = layer_of(way, bundle);
-        floor.scale = (1 - job_.mirror_floor) * floor.scale;
-        bundle.layers.layer[bundle.layers.count++] = floor;
+        const Vec3f light = bundle.tint * colour_of(scene_, scene_.source_faces[way.target_bits]);
+        bundle.floor = (1 - job_.mirror_floor) * light;
         bundle.tint = job_.mirror_floor * bundle.tint;
         bundle.is_mirrored = true;
         bundle.mirror_level = scene_.cells[bundle.cell].z_floor;
     }
 
     void fill_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
-        Layers layers = bundle.layers;
+        Layers layers;
+        if (bundle.is_mirrored) layers.layer[layers.count++] = {false, 1, {0, 0, -1}, bundle.floor};
         layers.layer[layers.count++] = layer_of(way, bundle);
         fill(canvas_, at, layers);
         events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));

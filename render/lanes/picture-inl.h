@@ -21,10 +21,10 @@ HWY_INLINE Points<N> everywhere(Vec3f p) {
 /// Where a bundle of rays from the camera is: through which cell, glass and mirror it has come.
 struct Bundle {
     std::uint32_t cell;
-    Vec3f tint = {1, 1, 1};
     bool is_mirrored = false;
-    float mirror_level = 0;  ///< height of the floor that mirrored it
-    Layers layers;           ///< what it has gathered: the floor's own light
+    float mirror_level = 0;    ///< height of the floor that mirrored it
+    Vec3f floor = {0, 0, 0};   ///< that floor's own light where it is lit straight
+    Vec3f tint = {1, 1, 1};    ///< of what it meets
 };
 
 /// A block is four pixels high, and as wide as its rays ask for; its rays go row by row.
@@ -127,16 +127,17 @@ struct FaceColour {
     }
 };
 
-/// Stores a block of one face; facing: normal . direction.
+/// Stores a block of one face; facing: normal . direction, with the square of the normal's length beside.
 template <int N>
 HWY_INLINE void store_face(const detail::TileJob& job, const Rectangle& at, const Floats<N>& facing,
-                           const Points<N>& d, const FaceColour& colour) {
+                           float normal_squared, const Points<N>& d, const FaceColour& colour) {
     const V rounding = hn::Set(D(), rounds_to_integer);
     HWY_ALIGN std::uint32_t pixels[N];
     for (int k = 0; k < d.x.vectors; ++k) {
         const V squared =
             hn::MulAdd(d.x.v[k], d.x.v[k], hn::MulAdd(d.y.v[k], d.y.v[k], hn::Mul(d.z.v[k], d.z.v[k])));
-        const V bright = quick_root(hn::Mul(facing.v[k], hn::ApproximateReciprocalSqrt(squared)));
+        const V inverse = hn::ApproximateReciprocalSqrt(hn::Mul(squared, hn::Set(D(), normal_squared)));
+        const V bright = quick_root(hn::Mul(facing.v[k], inverse));
         hn::Store(packed(DU(), hn::MulAdd(bright, colour.r, rounding), hn::MulAdd(bright, colour.g, rounding),
                          hn::MulAdd(bright, colour.b, rounding)),
                   DU(), pixels + k * lane_count);
@@ -154,13 +155,12 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
     std::uint32_t id = bundle.cell;
     const float eye_z = job.camera->origin.z;
     const Bits descends = is_less(d.z, F(0)), climbs = is_less(F(0), d.z);
-    constexpr int most_cells = 64;  // the others are walked as any
-    for (int step = 0; step < most_cells; ++step) {
+    constexpr std::uint64_t most_cells = 64;  // the others are walked as any
+    for (std::uint64_t cells = 1; cells <= most_cells; ++cells) {
         const Outlook& outlook = outlooks.on(id);
         if (HWY_UNLIKELY(outlook.size != 1 || !outlook.is_known)) return false;
         const Outlook::Section& s = outlook.section[0];
         const accel::Cell& cell = scene.cells[id];
-        for (int i = 0; i < N; ++i) events.entered_cell(cell.section_count);
         const F den = fused_lanes(F(s.nx), d.x, F(s.ny) * d.y);
         const F rise = F(s.away) * d.z;
         const Bits down = descends & is_less(rise, F(cell.z_floor - eye_z) * den);
@@ -199,8 +199,9 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
         if (face.surface == accel::Surface::Sky || is_mirror(job, way, face)) return false;
         const FaceColour colour(tint * colour_of(scene, face));
         for (int i = 0; i < N; ++i) events.began_walk();
-        if (way.exit == Exit::Side) store_face(job, at, den * F(s.inverse), d, colour);
-        else store_face(job, at, magnitude_of(d.z), d, colour);
+        for (std::uint64_t i = 0; i < N * cells; ++i) events.entered_cell(0);  // no section was asked for by name
+        if (way.exit == Exit::Side) store_face(job, at, den, s.squared, d, colour);
+        else store_face(job, at, magnitude_of(d.z), 1, d, colour);
         return true;
     }
     return false;
@@ -228,13 +229,10 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
     if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(rays.all(), seen, inverse_length, tints, light, events);
     if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1})))
         light = {light.r * F(bundle.tint.x), light.g * F(bundle.tint.y), light.b * F(bundle.tint.z)};
-    for (int k = 0; k < bundle.layers.count; ++k) {
-        // Only a floor lies before a mirrored bundle.
-        const Layer& floor = bundle.layers.layer[k];
+    if (HWY_UNLIKELY(bundle.is_mirrored)) {
         const F lit = magnitude_of(rays.direction.z) * inverse_length;
-        light.r = light.r + lit * F(floor.scale.x);
-        light.g = light.g + lit * F(floor.scale.y);
-        light.b = light.b + lit * F(floor.scale.z);
+        light = {light.r + lit * F(bundle.floor.x), light.g + lit * F(bundle.floor.y),
+                 light.b + lit * F(bundle.floor.z)};
     }
     store_block(job, at, light);
 }
@@ -247,7 +245,7 @@ HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& 
     const F x = F(static_cast<float>(at.x0)) + load<N>(block_centres<N>.x);
     const F y = F(static_cast<float>(at.y0)) + load<N>(block_centres<N>.y);
     const Points<N> d = directions(*job.camera, x, y);
-    const bool is_plain = job.rgb == nullptr && !bundle.is_mirrored && bundle.layers.count == 0;
+    const bool is_plain = job.rgb == nullptr && !bundle.is_mirrored;
     if (is_plain && trace_plain_block(job, scene, bundle, outlooks, at, d, events)) return;
     follow_block(job, scene, bundle, outlooks, at, d, events);
 }
