@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -35,7 +36,7 @@ double busy_now() {
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-constexpr std::uint64_t rays_a_block = 1 << 14;
+constexpr std::uint64_t rays_a_block = 1 << 13;
 constexpr std::uint64_t rays_a_passage_block = 1 << 11;
 /// Blocks whose passages are held at once.
 constexpr std::size_t blocks_a_batch = 32;
@@ -78,6 +79,41 @@ void begin_block(const accel::SceneView& scene, const accel::PointGrid& grid, co
     for (const PlacedRay& ray : block.placed) block.report.in_walls += ray.start == Start::Wall;
 }
 
+/// Things that threads take, use and give back: as many as work at once. Fresh memory for every block would cost more
+/// in page faults than its rays take.
+template <class T>
+class Pool {
+public:
+    /// One that was given back, or what `make` makes.
+    template <class Make>
+    std::unique_ptr<T> take(const Make& make) {
+        {
+            const std::lock_guard lock(mutex_);
+            if (!free_.empty()) {
+                std::unique_ptr<T> taken = std::move(free_.back());
+                free_.pop_back();
+                return taken;
+            }
+        }
+        return std::make_unique<T>(make());
+    }
+    void give_back(std::unique_ptr<T> thing) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(thing));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<T>> free_;
+};
+
+template <class Element>
+struct AnswerBlock {
+    Block work;
+    RayWalker walker;
+    std::vector<Element> elements;
+};
+
 /// Answers all rays, one element each, block by block: `answer(walked, elements)`.
 template <class Element, class Answer>
 QueryReport answer_each(const accel::SceneView& scene, const RayFile& rays, NpyWriter& elements,
@@ -86,22 +122,31 @@ QueryReport answer_each(const accel::SceneView& scene, const RayFile& rays, NpyW
     const accel::PointGrid grid(scene);
     QueryReport report;
     std::mutex mutex;
+    Pool<AnswerBlock<Element>> pool;
+    const auto answer_block = [&](std::size_t begin, std::size_t end) {
+        auto block = pool.take([&] {
+            return AnswerBlock<Element>{{}, RayWalker(scene, options.tracer, options.precision), {}};
+        });
+        Block& work = block->work;
+        work.report = {};
+        work.since = busy_now();
+        begin_block(scene, grid, rays, begin, end - begin, work);
+        const std::span<const WalkedRay> walked = block->walker.walk(work.placed);
+        block->elements.resize(walked.size());
+        answer(walked, std::span<Element>(block->elements));
+        work.report.busy.trace = work.lap();
+        for (const WalkedRay& ray : walked) ++work.report.of_status[std::size_t(ray.status)];
+        elements.write(begin, std::as_bytes(std::span(block->elements)));
+        work.report.busy.write = work.lap();
+        {
+            const std::lock_guard lock(mutex);
+            add(report, work.report);
+            if (options.progress) options.progress(double(report.rays) / double(rays.count()));
+        }
+        pool.give_back(std::move(block));
+    };
     accel::parallel_for(options.executor != nullptr ? *options.executor : serial, std::size_t(rays.count()),
-                        rays_a_block, [&](std::size_t begin, std::size_t end) {
-                            Block block;
-                            begin_block(scene, grid, rays, begin, end - begin, block);
-                            std::vector<WalkedRay> walked;
-                            walk_rays(scene, block.placed, options.tracer, options.precision, walked);
-                            std::vector<Element> block_elements(walked.size());
-                            answer(std::span<const WalkedRay>(walked), std::span<Element>(block_elements));
-                            block.report.busy.trace = block.lap();
-                            for (const WalkedRay& ray : walked) ++block.report.of_status[std::size_t(ray.status)];
-                            elements.write(begin, std::as_bytes(std::span(block_elements)));
-                            block.report.busy.write = block.lap();
-                            const std::lock_guard lock(mutex);
-                            add(report, block.report);
-                            if (options.progress) options.progress(double(report.rays) / double(rays.count()));
-                        });
+                        rays_a_block, answer_block);
     return report;
 }
 

@@ -1,6 +1,5 @@
 #include "tools/walked_rays.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,97 +32,79 @@ Departure departure(const PlacedRay& ray) {
     return {ray.origin + step, ray.max_distance - ray.advance};
 }
 
-/// The rays that walk, as columns of floats.
-struct Columns {
-    explicit Columns(std::size_t count) : cell(count), face(count), last_cell(count), status(count) {
-        for (std::vector<float>& column : numbers) column.resize(count);
-        distance.resize(count);
-    }
-    std::array<std::vector<float>, 7> numbers;  ///< origin, direction, maximal distance
-    std::vector<accel::CellId> cell;
-    std::vector<float> distance;
-    std::vector<accel::SourceFaceId> face;
-    std::vector<accel::CellId> last_cell;
-    std::vector<render::WalkStatus> status;
-};
+}  // namespace
 
-void walk_in_float(const accel::SceneView& scene, std::span<const PlacedRay> rays,
-                   std::span<const std::uint32_t> walking, render::Tracer tracer, std::vector<WalkedRay>& walked) {
-    Columns columns(walking.size());
+void RayWalker::walk_in_float(std::span<const PlacedRay> rays) {
+    const std::size_t count = walking_.size();
+    for (std::vector<float>& column : numbers_) column.resize(count);
+    distance_.resize(count);
+    cell_.resize(count);
+    last_cell_.resize(count);
+    face_.resize(count);
+    status_.resize(count);
     std::size_t changes = 0;
     bool is_limited = false;
-    for (std::size_t k = 0; k < walking.size(); ++k) {
-        const PlacedRay& ray = rays[walking[k]];
+    for (std::size_t k = 0; k < count; ++k) {
+        const PlacedRay& ray = rays[walking_[k]];
         const Departure from = departure(ray);
         const std::array<double, 7> row = {from.origin.x,   from.origin.y,   from.origin.z,    ray.direction.x,
                                            ray.direction.y, ray.direction.z, from.max_distance};
-        for (std::size_t c = 0; c < row.size(); ++c) columns.numbers[c][k] = float(row[c]);
-        columns.cell[k] = ray.cell;
-        changes += k > 0 && columns.cell[k] != columns.cell[k - 1];
+        for (std::size_t c = 0; c < row.size(); ++c) numbers_[c][k] = float(row[c]);
+        cell_[k] = ray.cell;
+        changes += k > 0 && cell_[k] != cell_[k - 1];
         is_limited = is_limited || from.max_distance < infinite;
     }
-    const auto& n = columns.numbers;
+    const auto& n = numbers_;
     render::StreamOptions options;
-    options.tracer = tracer;
+    options.tracer = tracer_;
     // Where every other ray starts elsewhere, sorting them pays.
-    options.order = 2 * changes > walking.size() ? render::StreamOrder::Any : render::StreamOrder::Coherent;
-    render::nearest(scene,
-                    {n[0], n[1], n[2], n[3], n[4], n[5], columns.cell,
+    options.order = 2 * changes > count ? render::StreamOrder::Any : render::StreamOrder::Coherent;
+    render::nearest(*scene_,
+                    {n[0], n[1], n[2], n[3], n[4], n[5], cell_,
                      is_limited ? std::span<const float>(n[6]) : std::span<const float>()},
-                    {columns.distance, columns.face, columns.last_cell, columns.status}, options);
-    for (std::size_t k = 0; k < walking.size(); ++k) {
-        WalkedRay& to = walked[walking[k]];
-        to.status = status_of(scene, columns.status[k], columns.face[k]);
-        to.face = columns.face[k];
-        to.cell = columns.last_cell[k];
-        to.distance = columns.distance[k];
-    }
+                    {distance_, face_, last_cell_, status_}, options);
+    for (std::size_t k = 0; k < count; ++k)
+        walked_[walking_[k]] = {distance_[k], face_[k], last_cell_[k], status_of(*scene_, status_[k], face_[k])};
 }
 
-void walk_in_double(const accel::SceneView& scene, std::span<const PlacedRay> rays,
-                    std::span<const std::uint32_t> walking, std::vector<WalkedRay>& walked) {
-    std::vector<render::RayQuery> queries;
-    queries.reserve(walking.size());
-    for (const std::uint32_t i : walking) {
+void RayWalker::walk_in_double(std::span<const PlacedRay> rays) {
+    queries_.clear();
+    for (const std::uint32_t i : walking_) {
         const Departure from = departure(rays[i]);
-        queries.push_back({from.origin, rays[i].direction, rays[i].cell, from.max_distance});
+        queries_.push_back({from.origin, rays[i].direction, rays[i].cell, from.max_distance});
     }
-    std::vector<render::RayHit> hits(queries.size());
-    render::trace_rays(scene, queries, hits, render::Precision::Double);
-    for (std::size_t k = 0; k < walking.size(); ++k) {
-        const bool is_hit = hits[k].status == render::WalkStatus::Hit;
-        WalkedRay& to = walked[walking[k]];
-        to.status = status_of(scene, hits[k].status, hits[k].source_face);
-        to.face = is_hit ? hits[k].source_face : none<accel::SourceFaceId>;
-        to.cell = hits[k].cell;
-        to.distance = hits[k].distance;
+    hits_.resize(queries_.size());
+    render::trace_rays(*scene_, queries_, hits_, render::Precision::Double);
+    for (std::size_t k = 0; k < walking_.size(); ++k) {
+        const render::RayHit& hit = hits_[k];
+        const bool is_hit = hit.status == render::WalkStatus::Hit;
+        walked_[walking_[k]] = {hit.distance, is_hit ? hit.source_face : none<accel::SourceFaceId>, hit.cell,
+                                status_of(*scene_, hit.status, hit.source_face)};
     }
 }
 
-}  // namespace
-
-void walk_rays(const accel::SceneView& scene, std::span<const PlacedRay> rays, render::Tracer tracer,
-               render::Precision precision, std::vector<WalkedRay>& walked) {
-    walked.assign(rays.size(), {std::nan(""), none<accel::SourceFaceId>, none<accel::CellId>, RayStatus::Refused});
-    std::vector<std::uint32_t> walking;
+std::span<const WalkedRay> RayWalker::walk(std::span<const PlacedRay> rays) {
+    walked_.assign(rays.size(), {std::nan(""), none<accel::SourceFaceId>, none<accel::CellId>, RayStatus::Refused});
+    walking_.clear();
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const PlacedRay& ray = rays[i];
         const bool is_short = ray.start == Start::Site && ray.max_distance <= ray.advance;
         if (ray.start == Start::Wall) {
-            walked[i].status = RayStatus::Wall;
+            walked_[i].status = RayStatus::Wall;
         } else if (ray.start == Start::Nowhere || is_short) {
-            walked[i].status = ray.max_distance < infinite ? RayStatus::Reached : RayStatus::Sky;
-            walked[i].distance = ray.max_distance;
+            walked_[i].status = ray.max_distance < infinite ? RayStatus::Reached : RayStatus::Sky;
+            walked_[i].distance = ray.max_distance;
         } else if (ray.start != Start::Refused) {
-            walking.push_back(std::uint32_t(i));
+            walking_.push_back(std::uint32_t(i));
         }
     }
-    if (precision == render::Precision::Double) walk_in_double(scene, rays, walking, walked);
-    else walk_in_float(scene, rays, walking, tracer, walked);
-    for (const std::uint32_t i : walking) {
-        if (walked[i].status == RayStatus::Reached) walked[i].distance = rays[i].max_distance;
-        else if (rays[i].start == Start::Site) walked[i].distance += rays[i].advance;
+    if (precision_ == render::Precision::Double) walk_in_double(rays);
+    else walk_in_float(rays);
+    for (const std::uint32_t i : walking_) {
+        if (walked_[i].status == RayStatus::Reached) walked_[i].distance = rays[i].max_distance;
+        else if (rays[i].start == Start::Site) walked_[i].distance += rays[i].advance;
     }
+    return walked_;
 }
 
 }  // namespace enfilade::tools

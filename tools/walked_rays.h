@@ -1,6 +1,8 @@
 #pragma once
 // A block of placed rays, walked to the first face.
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "render/ray_stream.h"
@@ -18,8 +20,32 @@ struct WalkedRay {
     RayStatus status;
 };
 
-/// On the calling thread. Double is walked by the scalar tracer. Empties `walked` first: [rays.size()]
-void walk_rays(const accel::SceneView& scene, std::span<const PlacedRay> rays, render::Tracer tracer,
-               render::Precision precision, std::vector<WalkedRay>& walked);
+/// Walks one block after the other; its memory is used again for the next. For one thread at a time.
+class RayWalker {
+public:
+    /// Double is walked by the scalar tracer.
+    RayWalker(const accel::SceneView& scene, render::Tracer tracer, render::Precision precision)
+        : scene_(&scene), tracer_(tracer), precision_(precision) {}
+
+    /// [rays.size()], valid until the next call.
+    std::span<const WalkedRay> walk(std::span<const PlacedRay> rays);
+
+private:
+    void walk_in_float(std::span<const PlacedRay> rays);
+    void walk_in_double(std::span<const PlacedRay> rays);
+
+    const accel::SceneView* scene_;
+    render::Tracer tracer_;
+    render::Precision precision_;
+    std::vector<WalkedRay> walked_;
+    std::vector<std::uint32_t> walking_;         ///< the rays that start to walk
+    std::array<std::vector<float>, 7> numbers_;  ///< theirs: origin, direction, maximal distance
+    std::vector<float> distance_;
+    std::vector<accel::CellId> cell_, last_cell_;
+    std::vector<accel::SourceFaceId> face_;
+    std::vector<render::WalkStatus> status_;
+    std::vector<render::RayQuery> queries_;
+    std::vector<render::RayHit> hits_;
+};
 
 }  // namespace enfilade::tools
