@@ -28,10 +28,10 @@ bool bounds_less(int side, const PlanLine& outer, const PlanLine& inner) {
 }
 
 /// The line through the end of a gate (the corner of the square around it, with a margin) in a direction.
-PlanLine through_end(int side, const PlanPoint& end, const PlanPoint& along, std::int64_t margin) {
+PlanLine through_end(int side, const PlanPoint& end, const PlanPoint& along, bool is_gate, std::int64_t margin) {
     const std::int64_t out_x = along.y < 0 ? side : -side, out_y = along.x < 0 ? -side : side;
     const PlanPoint from = {end.x + margin * out_x, end.y + margin * out_y};
-    return {from, {from.x + along.x, from.y + along.y}};
+    return {from, {from.x + along.x, from.y + along.y}, is_gate};
 }
 
 /// The bound that leaves what either of the two leaves, through `end`, the end of the gate on its own side.
@@ -40,8 +40,12 @@ PlanLine wider(int side, const PlanLine& a, const PlanLine& b, const PlanPoint& 
     if (!a.exists() || !b.exists()) return {};
     const PlanPoint da = direction(a), db = direction(b);
     const std::int64_t c = side * cross_of(da, db);
-    if (c == 0 && dot_of(da, db) < 0) return through_end(side, end, {end.x - other.x, end.y - other.y}, margin);
-    return through_end(side, end, c > 0 ? db : da, margin);
+    // The gate's own line leaves everything.
+    if (a.is_gate || b.is_gate || (c == 0 && dot_of(da, db) < 0)) {
+        const PlanLine line = through_end(side, end, {end.x - other.x, end.y - other.y}, true, margin);
+        return {{2 * line.from.x - line.to.x, 2 * line.from.y - line.to.y}, line.from, true};
+    }
+    return through_end(side, end, c > 0 ? db : da, false, margin);
 }
 
 /// A beam through a gate as one that begins there.
@@ -82,11 +86,10 @@ BeamLimit::BeamLimit(std::size_t portal_count, std::uint32_t max_beams) : max_be
     if (max_beams_ > 0) place_of_side_.resize(2 * portal_count);
 }
 
-BeamLimit::Arrivals& BeamLimit::arrivals_at(std::uint32_t side, bool& is_new) {
+BeamLimit::Arrivals& BeamLimit::arrivals_at(std::uint32_t side) {
     // An entry that nobody wrote since `clear` points at nothing, or at another side: no need to wipe them.
     std::uint32_t& place = place_of_side_[side];
-    is_new = place >= arrivals_.size() || arrivals_[place].side != side;
-    if (is_new) {
+    if (place >= arrivals_.size() || arrivals_[place].side != side) {
         place = static_cast<std::uint32_t>(arrivals_.size());
         arrivals_.push_back({side});
     }
@@ -96,8 +99,7 @@ BeamLimit::Arrivals& BeamLimit::arrivals_at(std::uint32_t side, bool& is_new) {
 bool BeamLimit::admit(BeamStep& step, bool is_front, const BeamSource& source, std::int64_t margin,
                       PlanHistory& history) {
     if (max_beams_ == 0) return true;
-    bool is_new = false;
-    Arrivals& arrivals = arrivals_at(static_cast<std::uint32_t>(2 * index(step.portal) + (is_front ? 0 : 1)), is_new);
+    Arrivals& arrivals = arrivals_at(static_cast<std::uint32_t>(2 * index(step.portal) + (is_front ? 0 : 1)));
     if (arrivals.is_whole) return false;
     Beam& beam = step.beam;
     if (step.is_level) {
@@ -110,8 +112,8 @@ bool BeamLimit::admit(BeamStep& step, bool is_front, const BeamSource& source, s
         return arrivals.is_whole = step.is_widened = true;
     }
     if (arrivals.widened > 0 && covers(arrivals.hull, beam)) return false;
-    arrivals.hull = begun_at_gate(is_new ? beam : arrivals.hull, beam, margin);
     if (++arrivals.count <= max_beams_) return true;
+    arrivals.hull = begun_at_gate(arrivals.widened == 0 ? beam : arrivals.hull, beam, margin);
     step.is_widened = true;
     beam = arrivals.hull;
     if (++arrivals.widened >= most_widenings) {

@@ -9,9 +9,9 @@
 namespace enfilade::accel {
 
 /// Remembers what came through each portal from each side. The first `max_beams` pass as they are. Later ones pass only
-/// if they hold something that has not passed, widened to all that came so far; after a few of these, everything that
-/// gets from the source to the portal passes, regardless of what lies between, and nothing after that. So the number of
-/// beams is bounded by a multiple of the portals in sight, and no ray is lost.
+/// if they hold something that has not passed, widened to all that came after the first; after a few of these,
+/// everything that gets from the source to the portal passes, regardless of what lies between, and nothing after that.
+/// So the number of beams is bounded by a multiple of the portals in sight, and no ray is lost.
 class BeamLimit {
 public:
     /// max_beams 0: all pass.
@@ -28,9 +28,9 @@ private:
         std::uint32_t count = 0;
         std::uint32_t widened = 0;
         bool is_whole = false;  ///< all that comes from the source has passed
-        Beam hull = {};         ///< of all that came
+        Beam hull = {};         ///< of what came after the first ones
     };
-    [[nodiscard]] Arrivals& arrivals_at(std::uint32_t side, bool& is_new);
+    [[nodiscard]] Arrivals& arrivals_at(std::uint32_t side);
 
     std::uint32_t max_beams_;
     std::vector<Arrivals> arrivals_;

@@ -56,7 +56,7 @@ PlanPoint rightmost(int side, const BeamSource& source, const PlanPoint& far) {
 /// The gate's own line, moved by the margin to where the rays come from. Rays cross it outward, so they stay beyond it.
 PlanLine own_line(int side, const PlanPoint& own, const PlanPoint& far, std::int64_t margin) {
     const std::int64_t out_x = -side * margin * sign(far.y - own.y), out_y = side * margin * sign(far.x - own.x);
-    return {{own.x + out_x, own.y + out_y}, {far.x + out_x, far.y + out_y}};
+    return {{own.x + out_x, own.y + out_y}, {far.x + out_x, far.y + out_y}, true};
 }
 
 /// What turns a line through `far` least to the left of all that it must have on its left: the gate's own other end,
@@ -98,28 +98,36 @@ bool parts(int side, const PlanLine& line, const BeamSource& source, const Near&
     return true;
 }
 
+/// The bound of before.
+PlanLine kept(PlanLine bound) {
+    bound.is_gate = false;
+    return bound;
+}
+
 /// The bound behind a gate that is reached.
 PlanLine narrowed(int side, const BeamSource& source, const PlanLine& bound, const PlanPoint& own, const PlanPoint& far,
                   std::uint32_t chain, std::int64_t margin, const PlanHistory& history) {
     // The gate's end lies on the bound or outside it: nothing changes.
-    if (bound.exists() && side * bound.side(far) >= -slack(bound, margin)) return bound;
+    if (bound.exists() && side * bound.side(far) >= -slack(bound, margin)) return kept(bound);
     const Near near = nearest_bound(side, source, far, own, chain, margin, history);
     if (near.kind == Near::Kind::Own) return own_line(side, own, far, margin);
     const std::optional<PlanLine> line = bitangent(side, near.at, near.margin, far, margin);
     if (line && parts(side, *line, source, near, own, margin)) return *line;
-    return bound.exists() ? bound : own_line(side, own, far, margin);
+    if (!bound.exists()) return own_line(side, own, far, margin);
+    return kept(bound);
 }
 
 /// Whether the bound leaves something of a gate: the end on the bound's far side lies inside. On the bound counts where
-/// the beam starts at that end, and behind it: there lies the gate before, if the bound is that gate's line, and the
-/// sides of the cell next to it, on the line or as near as rounding to the grid has bent it.
+/// the beam starts at that end; and where the bound is the line of the gate before, behind that gate: sides of the cell
+/// begin there, on the line or as near as rounding to the grid has bent it, and the beam's other bound decides.
 bool is_inside(int side, const BeamSource& source, const PlanLine& bound, const PlanPoint& end, std::int64_t margin) {
     if (!bound.exists()) return true;
     const std::int64_t s = side * bound.side(end) - slack(bound, margin);
     if (s < 0 || (s == 0 && source.holds(end))) return true;
+    if (!bound.is_gate) return false;
     const PlanPoint along = {bound.to.x - bound.from.x, bound.to.y - bound.from.y};
     const PlanPoint way = {end.x - bound.from.x, end.y - bound.from.y};
-    // Both ends of the bound and this one lie within a unit of where they were: two units and their leverage.
+    // Both ends of the gate and this one lie within a unit of where they were: two units and their leverage.
     const std::int64_t bend = 2 * (std::abs(along.x) + std::abs(along.y) + std::abs(way.x) + std::abs(way.y));
     return s <= bend && way.x * along.x + way.y * along.y <= slack(bound, margin);
 }

@@ -20,6 +20,7 @@ struct Gate {
 struct PlanLine {
     PlanPoint from;
     PlanPoint to;
+    bool is_gate = false;  ///< as a bound: the line of the gate that was crossed last
 
     [[nodiscard]] bool exists() const { return !(from == to); }
     /// Positive for points on its left.
