@@ -42,51 +42,63 @@ ENFILADE_HD const Part* level_of(const Part* floor, std::uint32_t up) {
     return floor + up;
 }
 
-/// The section by which a ray leaves its cell's prism, and where.
+/// The section by which a ray leaves its cell's prism, and where; no_section where none accepts it, or more than one.
+/// By value: an address would hold it in memory.
 struct Crossed {
     std::uint32_t section, next_section;
     float num, facing;
 };
 
-/// In a cell with more lines than one instruction takes.
-__attribute__((noinline)) inline bool cross_many(const accel::SceneView& scene, const RayBlock& block, std::uint32_t r,
-                                                 std::uint32_t first, std::uint32_t count, Crossed& at) {
-    const Ray<float> ray = block.ray(r);
-    const std::uint32_t i = only_accepting(scene, ray, first, count);
-    if (i == no_section) return false;
-    at.section = first + i;
-    at.next_section = i + 1 == count ? first : first + i + 1;
-    const Crossing<float> crossing = section_crossing(scene, ray, at.section, at.next_section);
-    at.num = crossing.num;
-    at.facing = crossing.facing;
-    return true;
+/// `only_accepting` of up to 64 lines. May read 64 bytes behind the last.
+ENFILADE_HD std::uint32_t only_accepting_of_64(const SceneArrays& arrays, const RayBlock& block, std::uint32_t r,
+                                               std::uint32_t first, std::uint32_t count) {
+    const WideFloat dx = wide_of(block.dx + r), minus_dy = wide_of(block.minus_dy + r);
+    const WideFloat moment = wide_of(block.moment + r), least_left = wide_of(block.least_left + r);
+    std::uint64_t left = 0;
+    for (std::uint32_t i = 0; i < count; i += wide_lines) {
+        const WideFloat side = wide_fused(load_wide(arrays.ys + first + i), dx,
+                                          wide_fused(load_wide(arrays.xs + first + i), minus_dy, moment));
+        left |= std::uint64_t(wide_more(side, least_left)) << i;
+    }
+    left = _bzhi_u64(left, count);
+    const std::uint64_t next = left >> 1 | (left & 1) << (count - 1);
+    const std::uint64_t accepting = ~left & next;
+    return accepting != 0 && _blsr_u64(accepting) == 0 ? static_cast<std::uint32_t>(_tzcnt_u64(accepting)) : no_section;
 }
 
-/// First half of a step: `find_section` and `crossing`. False where no section accepts the ray, or more than one.
-ENFILADE_HD bool cross(const accel::SceneView& scene, const SceneArrays& arrays, const RayBlock& block, std::uint32_t r,
-                       std::uint32_t first, std::uint32_t count, Crossed& at) {
+/// In a cell with more lines than one instruction takes.
+__attribute__((noinline)) inline Crossed cross_many(const accel::SceneView& scene, const SceneArrays& arrays,
+                                                    const RayBlock& block, std::uint32_t r, std::uint32_t first,
+                                                    std::uint32_t count) {
+    const Ray<float> ray = block.ray(r);
+    const std::uint32_t p =
+        count <= 64 ? only_accepting_of_64(arrays, block, r, first, count) : only_accepting(scene, ray, first, count);
+    if (p == no_section) return {no_section, no_section, 0, 0};
+    const std::uint32_t section = first + p, next = p + 1 == count ? first : section + 1;
+    const Crossing<float> at = section_crossing(scene, ray, section, next);
+    return {section, next, at.num, at.facing};
+}
+
+/// First half of a step: `find_section` and `crossing`.
+ENFILADE_HD Crossed cross(const accel::SceneView& scene, const SceneArrays& arrays, const RayBlock& block,
+                          std::uint32_t r, std::uint32_t first, std::uint32_t count) {
     if (count > wide_lines) [[unlikely]]
-        return cross_many(scene, block, r, first, count, at);
+        return cross_many(scene, arrays, block, r, first, count);
     // The sides of all lines, and how far along the ray they lie.
     const WideFloat x = load_wide(arrays.xs + first), y = load_wide(arrays.ys + first);
     const WideFloat dx = wide_of(block.dx + r);
     const WideFloat side = wide_fused(y, dx, wide_fused(x, wide_of(block.minus_dy + r), wide_of(block.moment + r)));
     const WideFloat along = wide_fused(wide_minus(x, wide_of(block.ox + r)), dx,
                                        wide_times(wide_minus(y, wide_of(block.oy + r)), wide_of(block.dy + r)));
-    alignas(64) float sides[wide_lines], alongs[wide_lines];
-    store_wide(sides, side);
-    store_wide(alongs, along);
     const std::uint32_t left = _bzhi_u32(wide_more(side, wide_of(block.least_left + r)), count);
     const std::uint32_t twice = left | left << count;  // line i + count is line i
     const std::uint32_t accepting = _bzhi_u32(~twice & twice >> 1, count);
     if (accepting == 0 || _blsr_u32(accepting) != 0) [[unlikely]]
-        return false;
+        return {no_section, no_section, 0, 0};
     const std::uint32_t p = lowest_bit(accepting), q = p + 1 == count ? 0 : p + 1;
-    at.section = first + p;
-    at.next_section = first + q;
-    at.num = sides[q] * alongs[p] - sides[p] * alongs[q];
-    at.facing = sides[q] - sides[p];
-    return true;
+    const float p_side = wide_at(side, p), q_side = wide_at(side, q);
+    const float p_along = wide_at(along, p), q_along = wide_at(along, q);
+    return {first + p, first + q, q_side * p_along - p_side * q_along, q_side - p_side};
 }
 
 ENFILADE_HD __m128 load_float(const float* p) { return _mm_load_ss(p); }
@@ -136,9 +148,8 @@ ENFILADE_HD void cross_cells(const accel::SceneView& scene, const SceneArrays& a
     const std::uint32_t count = block.active_count;
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t r = block.active[k], c = block.next[r];
-        Crossed at;
-        if (!cross(scene, arrays, block, r, arrays.cells[c].first_section, arrays.cells[c].section_count, at))
-            [[unlikely]] {
+        const Crossed at = cross(scene, arrays, block, r, arrays.cells[c].first_section, arrays.cells[c].section_count);
+        if (at.section == no_section) [[unlikely]] {
             block.rest[block.rest_count++] = r;
             continue;
         }
@@ -205,8 +216,8 @@ ENFILADE_HD void step_neighbours(const accel::SceneView& scene, const SceneArray
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t r = block.active[k], c = block.next[r];
         const accel::Cell& cell = arrays.cells[c];
-        Crossed at;
-        if (!cross(scene, arrays, block, r, cell.first_section, cell.section_count, at)) [[unlikely]] {
+        const Crossed at = cross(scene, arrays, block, r, cell.first_section, cell.section_count);
+        if (at.section == no_section) [[unlikely]] {
             block.rest[block.rest_count++] = r;
             continue;
         }

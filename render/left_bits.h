@@ -38,6 +38,10 @@ ENFILADE_HD WideFloat wide_times(WideFloat a, WideFloat b) { return _mm512_mul_p
 ENFILADE_HD std::uint32_t wide_more(WideFloat a, WideFloat b) {
     return _cvtmask16_u32(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ));
 }
+/// Lane i.
+ENFILADE_HD float wide_at(WideFloat a, std::uint32_t i) {
+    return _mm512_cvtss_f32(_mm512_maskz_permutexvar_ps(0xffff, _mm512_set1_epi32(static_cast<int>(i)), a));
+}
 #else
 inline constexpr std::uint32_t wide_lines = 8;
 using WideFloat = __m256;
@@ -49,6 +53,9 @@ ENFILADE_HD WideFloat wide_minus(WideFloat a, WideFloat b) { return _mm256_sub_p
 ENFILADE_HD WideFloat wide_times(WideFloat a, WideFloat b) { return _mm256_mul_ps(a, b); }
 ENFILADE_HD std::uint32_t wide_more(WideFloat a, WideFloat b) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ)));
+}
+ENFILADE_HD float wide_at(WideFloat a, std::uint32_t i) {
+    return _mm256_cvtss_f32(_mm256_permutevar8x32_ps(a, _mm256_set1_epi32(static_cast<int>(i))));
 }
 #endif
 
