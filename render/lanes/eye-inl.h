@@ -128,11 +128,13 @@ struct Outlook {
 /// The cells that rays between four corners cross, as far as they are asked for; a few are remembered.
 class Outlooks {
 public:
-    Outlooks(const accel::SceneView& scene, const CameraFrame& camera, const Rectangle& at)
-        : scene_(scene), camera_(camera), corners_(camera, at) {}
+    /// `around`: those of a rectangle that holds this one, or nullptr.
+    Outlooks(const accel::SceneView& scene, const CameraFrame& camera, const Rectangle& at, const Outlooks* around)
+        : scene_(scene), camera_(camera), around_(around), corners_(camera, at) {}
 
     /// Its height does not matter: a mirrored eye sees the same.
     [[nodiscard]] HWY_INLINE const Outlook& on(std::uint32_t cell) {
+        if (const Outlook* narrow = narrow_one_on(cell)) return *narrow;
         Outlook& outlook = outlooks_[cell % remembered];
         if (HWY_UNLIKELY(outlook.cell != cell)) outlook.make(scene_, cell, camera_.origin, corners_);
         return outlook;
@@ -140,8 +142,20 @@ public:
 
 private:
     static constexpr std::uint32_t remembered = 4;
+    /// Asking few sections for nothing costs less than finding out which ones.
+    static constexpr std::uint32_t narrow = 2;
+
+    /// The outlook of a larger rectangle, where that is as good.
+    [[nodiscard]] HWY_INLINE const Outlook* narrow_one_on(std::uint32_t cell) const {
+        for (const Outlooks* wider = around_; wider != nullptr; wider = wider->around_) {
+            const Outlook& outlook = wider->outlooks_[cell % remembered];
+            if (outlook.cell == cell && outlook.size <= narrow) return &outlook;
+        }
+        return nullptr;
+    }
     const accel::SceneView& scene_;
     const CameraFrame& camera_;
+    const Outlooks* around_;
     Corners4 corners_;
     Outlook outlooks_[remembered];
 };

@@ -15,20 +15,20 @@ template <class Events>
 class Packets {
 public:
     static constexpr int corner_count = 16;
-    static constexpr int tile_rays = 16;  ///< of blocks in the smallest tiles
+    static constexpr int tile_rays = 32;  ///< of blocks in the smallest tiles
 
     Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
         : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
 
-    /// Traces a tile from where its rays are. `known`: an outlook on the bundle's cell, through more than this tile.
-    void trace(const Tile& tile, const Bundle& from, Outlooks* known) {
+    /// Traces a tile from where its rays are. `around`: the outlooks of a tile that holds this one.
+    void trace(const Tile& tile, const Bundle& from, const Outlooks* around) {
         const Rectangle at = clipped(tile);
-        if (tile.side <= job_.packets.smallest) return trace_small(at, from, known);
+        if (tile.side <= job_.packets.smallest) return trace_small(at, from, around);
         Bundle bundle = from;
         events_.began_tile();
         Bits present = 0;
         const Points<corner_count> directions = corner_directions(tile, present);
-        Outlooks outlooks(scene_, *job_.camera, at);
+        Outlooks outlooks(scene_, *job_.camera, at, around);
         EyeRays<corner_count> rays(outlooks, job_.camera->origin, directions);
         if (bundle.is_mirrored) rays.mirror(bundle.mirror_level);
         const std::uint64_t most_steps = scene_.cells.count + 16;
@@ -55,11 +55,8 @@ public:
 private:
     static constexpr Bits quarter_bits = 0xfu;
 
-    void trace_small(const Rectangle& at, const Bundle& bundle, Outlooks* known) {
-        // Asking few sections for nothing costs less than finding out which ones.
-        if (known != nullptr && known->on(bundle.cell).size <= 2)
-            return trace_blocks<tile_rays>(job_, scene_, bundle, *known, at, events_);
-        Outlooks outlooks(scene_, *job_.camera, at);
+    void trace_small(const Rectangle& at, const Bundle& bundle, const Outlooks* around) {
+        Outlooks outlooks(scene_, *job_.camera, at, around);
         trace_blocks<tile_rays>(job_, scene_, bundle, outlooks, at, events_);
     }
 
@@ -126,7 +123,7 @@ private:
 
     /// Quarters whose corners agree go on by themselves, the others from this cell.
     void split(const Tile& tile, const Bundle& bundle, const Ways<corner_count>& ways,
-               Outlooks& outlooks) {
+               const Outlooks& outlooks) {
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
             const Tile quarter = {tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half};
@@ -141,7 +138,7 @@ private:
                 trace(quarter, part, &outlooks);
             } else if (one->target().is_portal()) {
                 go_on(*one, part);
-                trace(quarter, part, nullptr);
+                trace(quarter, part, &outlooks);
             } else if (!meets_mirror(*one, part)) {
                 fill_tile(at, *one, part);
             } else {

@@ -115,38 +115,123 @@ HWY_NOINLINE Floats<N> exact_inverse_root(const Floats<N>& a) {
 }
 
 /// Three channels that all pixels of a face share, as its cosine's root multiplies them.
+template <int N>
 struct FaceColour {
-    V r, g, b;
-    HWY_INLINE explicit FaceColour(Vec3f colour) {
-        const auto full = [](float channel) HWY_ATTR {
-            return hn::Set(D(), 255.0f * (channel < 1 ? root(channel) : 1.0f));
-        };
-        r = full(colour.x);
-        g = full(colour.y);
-        b = full(colour.z);
-    }
+    Floats<N> r, g, b;
+    HWY_INLINE explicit FaceColour(Vec3f colour)
+        : r(full(colour.x)), g(full(colour.y)), b(full(colour.z)) {}
+
+private:
+    static HWY_INLINE float full(float channel) { return 255.0f * (channel < 1 ? root(channel) : 1.0f); }
 };
 
-/// Stores a block of one face; facing: normal . direction, with the square of the normal's length beside.
-template <int N>
+/// Stores a block lit by the lamp at the eye; facing: normal . direction, with the square of the normal's length
+/// beside.
+template <int N, class Colour>
 HWY_INLINE void store_face(const detail::TileJob& job, const Rectangle& at, const Floats<N>& facing,
-                           float normal_squared, const Points<N>& d, const FaceColour& colour) {
+                           const Floats<N>& normal_squared, const Points<N>& d, const Colour& colour) {
     const V rounding = hn::Set(D(), rounds_to_integer);
     HWY_ALIGN std::uint32_t pixels[N];
     for (int k = 0; k < d.x.vectors; ++k) {
         const V squared =
             hn::MulAdd(d.x.v[k], d.x.v[k], hn::MulAdd(d.y.v[k], d.y.v[k], hn::Mul(d.z.v[k], d.z.v[k])));
-        const V inverse = hn::ApproximateReciprocalSqrt(hn::Mul(squared, hn::Set(D(), normal_squared)));
+        const V inverse = hn::ApproximateReciprocalSqrt(hn::Mul(squared, normal_squared.v[k]));
         const V bright = quick_root(hn::Mul(facing.v[k], inverse));
-        hn::Store(packed(DU(), hn::MulAdd(bright, colour.r, rounding), hn::MulAdd(bright, colour.g, rounding),
-                         hn::MulAdd(bright, colour.b, rounding)),
+        hn::Store(packed(DU(), hn::MulAdd(bright, colour.r.v[k], rounding), hn::MulAdd(bright, colour.g.v[k], rounding),
+                         hn::MulAdd(bright, colour.b.v[k], rounding)),
                   DU(), pixels + k * lane_count);
     }
     store_pixels<N>(job, at, pixels);
 }
 
-/// A block all of whose rays have one way to go, found without asking for more than one section a cell: most are.
-/// Returns false, having done nothing, where it is none.
+/// What each ray of a block meets, for store_face.
+template <int N>
+struct FaceLanes {
+    Floats<N> facing, normal_squared, r, g, b;
+
+    HWY_INLINE FaceLanes() : facing(0), normal_squared(1), r(0), g(0), b(0) {}
+
+    HWY_INLINE void put(Bits rays, const Floats<N>& facing_, float normal_squared_, Vec3f colour) {
+        facing = choose(rays, facing_, facing);
+        normal_squared = choose(rays, Floats<N>(normal_squared_), normal_squared);
+        const auto full = [](float channel) HWY_ATTR { return 255.0f * (channel < 1 ? root(channel) : 1.0f); };
+        r = choose(rays, Floats<N>(full(colour.x)), r);
+        g = choose(rays, Floats<N>(full(colour.y)), g);
+        b = choose(rays, Floats<N>(full(colour.z)), b);
+    }
+};
+
+/// A face that nothing but its own light comes from; nullptr for portals, the sky and mirrors.
+HWY_INLINE const accel::SourceFace* plain_face(const detail::TileJob& job, const accel::SceneView& scene, Exit exit,
+                                               accel::Target target) {
+    if (target.is_portal()) return nullptr;
+    const accel::SourceFace& face = scene.source_faces[target.bits];
+    const bool is_dark_mirror =
+        job.mirror_floor > 0 && exit == Exit::Floor && face.surface == accel::Surface::Floor;
+    return face.surface == accel::Surface::Sky || is_dark_mirror ? nullptr : &face;
+}
+
+/// A block whose rays end at several faces of one cell. Returns false, having done nothing, where some go on.
+template <int N>
+HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::SceneView& scene, const Outlook& outlook,
+                                    Vec3f tint, const Rectangle& at, const Points<N>& d) {
+    using F = Floats<N>;
+    if (!outlook.is_known) return false;
+    const float eye_z = job.camera->origin.z;
+    const Bits descends = is_less(d.z, F(0)), climbs = is_less(F(0), d.z);
+    const accel::Cell& cell = scene.cells[outlook.cell];
+    Rays<N> lines;
+    if (outlook.size > 1) lines = make_rays(everywhere<N>(job.camera->origin), d);
+    FaceLanes<N> lanes;
+    Bits seen = 0, by_floor = 0, by_ceiling = 0, q_left = 0;
+    std::uint32_t tested = no_section;
+    for (std::uint32_t k = 0; k < outlook.size; ++k) {
+        const Outlook::Section& s = outlook.section[k];
+        Bits left = all_bits<N>;
+        if (outlook.size > 1) {
+            const Bits p_left =
+                tested == s.index ? q_left : is_less(lines.threshold, sides_of(lines, s.px, s.py));
+            q_left = is_less(lines.threshold, sides_of(lines, s.qx, s.qy));
+            tested = s.next;
+            left = ~p_left & q_left & all_bits<N>;
+        }
+        if (left == 0) continue;
+        if ((seen & left) != 0) return false;
+        seen |= left;
+        const F den = fused_lanes(F(s.nx), d.x, F(s.ny) * d.y);
+        const F rise = F(s.away) * d.z;
+        const Bits down = left & descends & is_less(rise, F(cell.z_floor - eye_z) * den);
+        const Bits up = left & climbs & ~is_less(rise, F(cell.z_ceiling - eye_z) * den);
+        by_floor |= down;
+        by_ceiling |= up;
+        left &= ~(down | up);
+        for (std::uint32_t face = s.first_face; left != 0; ++face) {
+            const accel::SideFace& side = scene.side_faces[face];
+            const Bits here =
+                face == s.top_face ? left : left & is_less(rise, F(side.z_top - eye_z) * den);
+            if (here == 0) continue;
+            const accel::SourceFace* source = plain_face(job, scene, Exit::Side, side.target);
+            if (source == nullptr) return false;
+            lanes.put(here, den, s.squared, tint * colour_of(scene, *source));
+            left &= ~here;
+        }
+    }
+    if (seen != all_bits<N>) return false;
+    if (by_floor != 0) {
+        const accel::SourceFace* source = plain_face(job, scene, Exit::Floor, cell.floor);
+        if (source == nullptr) return false;
+        lanes.put(by_floor, magnitude_of(d.z), 1, tint * colour_of(scene, *source));
+    }
+    if (by_ceiling != 0) {
+        const accel::SourceFace* source = plain_face(job, scene, Exit::Ceiling, cell.ceiling);
+        if (source == nullptr) return false;
+        lanes.put(by_ceiling, magnitude_of(d.z), 1, tint * colour_of(scene, *source));
+    }
+    store_face(job, at, lanes.facing, lanes.normal_squared, d, lanes);
+    return true;
+}
+
+/// A block all of whose rays go one way until they end, perhaps at several faces of one cell: most do. Returns false, having done nothing, where it is none.
 template <int N, class Events>
 HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
                                   Outlooks& outlooks, const Rectangle& at, const Points<N>& d, Events& events) {
@@ -158,7 +243,8 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
     constexpr std::uint64_t most_cells = 64;  // the others are walked as any
     for (std::uint64_t cells = 1; cells <= most_cells; ++cells) {
         const Outlook& outlook = outlooks.on(id);
-        if (HWY_UNLIKELY(outlook.size != 1 || !outlook.is_known)) return false;
+        const auto try_mixed = [&]() HWY_ATTR { return trace_mixed_block(job, scene, outlook, tint, at, d); };
+        if (outlook.size != 1 || !outlook.is_known) return try_mixed();
         const Outlook::Section& s = outlook.section[0];
         const accel::Cell& cell = scene.cells[id];
         const F den = fused_lanes(F(s.nx), d.x, F(s.ny) * d.y);
@@ -176,12 +262,12 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
             way.exit = Exit::Ceiling;
             way.target_bits = cell.ceiling.bits;
         } else {
-            if ((down | up) != 0) return false;
+            if ((down | up) != 0) return try_mixed();
             way.exit = Exit::Side;
             for (std::uint32_t face = s.first_face; face < s.top_face; ++face) {
                 const Bits here = is_less(rise, F(scene.side_faces[face].z_top - eye_z) * den);
                 if (here == 0) continue;
-                if (here != all_bits<N>) return false;
+                if (here != all_bits<N>) return try_mixed();
                 way.face = face;
                 break;
             }
@@ -195,13 +281,13 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
             id = static_cast<std::uint32_t>(way.target().neighbour());
             continue;
         }
-        const accel::SourceFace& face = scene.source_faces[way.target_bits];
-        if (face.surface == accel::Surface::Sky || is_mirror(job, way, face)) return false;
-        const FaceColour colour(tint * colour_of(scene, face));
+        const accel::SourceFace* face = plain_face(job, scene, way.exit, way.target());
+        if (face == nullptr) return false;
+        const FaceColour<N> colour(tint * colour_of(scene, *face));
         for (int i = 0; i < N; ++i) events.began_walk();
         for (std::uint64_t i = 0; i < N * cells; ++i) events.entered_cell(0);  // no section was asked for by name
-        if (way.exit == Exit::Side) store_face(job, at, den, s.squared, d, colour);
-        else store_face(job, at, magnitude_of(d.z), 1, d, colour);
+        if (way.exit == Exit::Side) store_face(job, at, den, F(s.squared), d, colour);
+        else store_face(job, at, magnitude_of(d.z), F(1), d, colour);
         return true;
     }
     return false;
