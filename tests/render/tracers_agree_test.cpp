@@ -2,9 +2,12 @@
 // colour of its own (picture_judge.h).
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <utility>
 
 #include "accel/assemble.h"
+#include "accel/locate.h"
 #include "render/trace.h"
 #include "tests/support/coloured_scene.h"
 #include "tests/support/instruction_sets.h"
@@ -25,8 +28,32 @@ struct NamedScene {
     accel::SceneInput input;
 };
 
+/// A hall cut into cells without a wall between them, three and four of them meeting at a line: no edge of a source
+/// face excuses anything there. One piece is lower than the others, one goes up another storey.
+accel::SceneInput open_hall(double turn) {
+    using accel::Label;
+    const auto plot = [](double x0, double y0, double x1, double y1, double floor, double ceiling, Label label,
+                         std::uint32_t space) {
+        return test::Plot{test::grid(x0),
+                          test::grid(y0),
+                          test::grid(x1),
+                          test::grid(y1),
+                          {{test::grid(floor), test::grid(ceiling), label, space}}};
+    };
+    return test::scene_from_plots(
+        {plot(-3, -2, 0, 0, 0, 2.5, Label::Room, 0), plot(0, -2, 1.5, 0, 0, 2.5, Label::Room, 0),
+         plot(1.5, -2, 4, 1, 0, 2.5, Label::Room, 1), plot(-3, 0, -1, 3, 0, 2.5, Label::Room, 2),
+         plot(-1, 0, 0, 3, 0, 2.5, Label::Room, 2), plot(0, 0, 1.5, 1, -0.5, 2.5, Label::Room, 3),
+         plot(0, 1, 4, 3, 0, 5, Label::Stair, 4), plot(-0.46, -2.15, 0, -2, 0, 2.1, Label::Door, 5),
+         plot(0, -2.15, 0.46, -2, 0, 2.1, Label::Door, 6), plot(-5, -4, 5, -2.15, -0.2, 6, Label::Exterior, 7)},
+        turn);
+}
+
 std::vector<NamedScene> scenes() {
     return {
+        {"open", open_hall(0)},
+        {"openturned", open_hall(0.4)},
+        {"openbent", open_hall(0.0003)},
         {"straight", test::synthetic_office({.rooms_per_row = 3, .rows = 4, .storeys = 2})},
         {"closed", test::synthetic_office({.rooms_per_row = 3, .rows = 2, .doors = false})},
         {"turned", test::synthetic_office({.rooms_per_row = 4, .rows = 3, .storeys = 3, .turn = 0.3})},
@@ -156,6 +183,37 @@ TEST_P(TracersAgree, OnRaysThroughTheCornersOfEveryWall) {
                 EXPECT_TRUE(verdict.is_right()) << variant.name << ", cell " << c << ", "
                                                 << test::text_of(f.frame, f.width, f.height) << verdict.text();
             }
+}
+
+// Where cells meet, half of the first sides are noise: all cells have to take it for the same.
+TEST_P(TracersAgree, FromVerticalLinesWhereCellsMeet) {
+    const accel::SceneView& view = scene_.view();
+    std::set<std::pair<float, float>> lines;
+    for (std::size_t s = 0; s + 1 < view.section_x.size(); ++s) lines.insert({view.section_x[s], view.section_y[s]});
+    const std::size_t step = lines.size() / 40 + 1;
+    std::size_t number = 0;
+    for (const auto& [x, y] : lines) {
+        if (++number % step != 0) continue;
+        for (const Vec3d looks : {Vec3d{1, 0.3, -0.4}, Vec3d{-0.8, 0.5, 0.1}, Vec3d{0.2, -1, -0.9}, Vec3d{-1, -1, 0}}) {
+            Camera camera;
+            camera.eye = {x, y, 1.25};
+            camera.target = camera.eye + looks;
+            camera.fov_deg = 100;
+            camera.width = 61;
+            camera.height = 50;
+            if (!accel::locate(view, {x, y, 1.25})) continue;
+            const CameraFrame frame = make_frame(camera);
+            const accel::CellId start = start_cell(view, frame);
+            const Image expected = picture(view, camera, Tracer::Scalar, {});
+            for (const TracerVariant& variant : test::tracer_variants) {
+                const PictureVerdict verdict =
+                    judge_.compare(frame, start, expected, picture(view, camera, variant.tracer, variant.packets));
+                EXPECT_TRUE(verdict.is_right())
+                    << variant.name << ", cell " << index(start) << ", "
+                    << test::text_of(frame, camera.width, camera.height) << ": " << verdict.text();
+            }
+        }
+    }
 }
 
 TEST_P(TracersAgree, OnAMillionPixels) {

@@ -156,8 +156,8 @@ void PictureJudge::judge(const render::CameraFrame& frame, accel::CellId start, 
             noise = 8 * 0x1p-24 * largest_ / length;
         }
         if (std::abs(sum(a) - sum(e)) <= 1e-3 * sum(e) + 3 * (noise + double{pixel.tolerance})) return;
-        // Eight bits a channel may not tell dark faces apart.
-        const bool tells_faces_apart = pixel.tolerance == rounding_of_light;
+        // Dark faces look alike, the more so with eight bits a channel.
+        const bool tells_faces_apart = pixel.tolerance == rounding_of_light && std::min(sum(a), sum(e)) > 1e-3f;
         if (tells_faces_apart || !is_doubtful(oracle_, origin, direction, hit, band_)) {
             ++verdict.other_shade;
             return note("another shade");
