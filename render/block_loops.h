@@ -40,15 +40,12 @@ ENFILADE_HD void aim(const CameraFrame& camera, std::uint32_t start_cell, const 
         block.oy[r] = camera.origin.y;
         block.oz[r] = camera.origin.z;
         block.start[r] = start_cell;
-        block.active[r] = r;
-        block.tint[0][r] = block.tint[1][r] = block.tint[2][r] = 1;
     }
-    block.active_count = place.count;
-    block.derive(0, place.count);
+    block.begin_all(place.count);
 }
 
 /// The rays that the block's walk left over.
-void shade_rest(const accel::SceneView& scene, RayBlock& block) {
+void walk_picture_rest(const accel::SceneView& scene, RayBlock& block) {
     NoEvents none;
     for (std::uint32_t k = 0; k < block.rest_count; ++k) {
         const std::uint32_t r = block.rest[k];
@@ -117,32 +114,70 @@ void fetch_colours(const accel::SceneView& scene, const Look& look, const RayBlo
     }
 }
 
-void shade_block(const detail::TileJob& job, const BlockPlace& place, RayBlock& block) {
-    BlockColours colours;
-    const std::uint32_t count = place.count;
+/// The colours under the lamp at the eye; glass not counted yet.
+void light_block(const detail::TileJob& job, const RayBlock& block, std::uint32_t count, BlockColours& colours) {
     fetch_colours(*job.scene, *job.look, block, count, colours);
     for (std::uint32_t r = 0; r < count; ++r) {
         const float cosine = colours.facing[r] / root(colours.edge2[r] * colours.length2[r]);
-        colours.red[r] = block.tint[0][r] * (cosine * colours.red[r]);
-        colours.green[r] = block.tint[1][r] * (cosine * colours.green[r]);
-        colours.blue[r] = block.tint[2][r] * (cosine * colours.blue[r]);
+        colours.red[r] = cosine * colours.red[r];
+        colours.green[r] = cosine * colours.green[r];
+        colours.blue[r] = cosine * colours.blue[r];
     }
-    const float *red = colours.red, *green = colours.green, *blue = colours.blue;
+}
+
+ENFILADE_HD void tint_colours(const RayBlock& block, std::uint32_t count, BlockColours& colours) {
+    for (std::uint32_t r = 0; r < count; ++r) {
+        colours.red[r] = block.tint[0][r] * colours.red[r];
+        colours.green[r] = block.tint[1][r] * colours.green[r];
+        colours.blue[r] = block.tint[2][r] * colours.blue[r];
+    }
+}
+
+/// Rays that have ended at floors go on from there (mirror.h), in a block of their own.
+void mirror_block(const detail::TileJob& job, const RayBlock& block, std::uint32_t count, BlockColours& colours) {
+    const accel::SceneView& scene = *job.scene;
+    RayBlock images;
+    std::uint32_t of[block_rays], mirrors = 0;
+    for (std::uint32_t r = 0; r < count; ++r) {
+        if (block.level[r] == 0 || block.upward[r] != 0 || block.target[r] == leaked_target) continue;
+        if (scene.source_faces[block.target[r]].surface != accel::Surface::Floor) continue;
+        const Ray<float> image = mirrored(block.ray(r), scene.cells[block.cell[r]].z_floor);
+        images.set(mirrors, image.origin, image.direction, block.cell[r]);
+        of[mirrors++] = r;
+    }
+    if (mirrors == 0) return;
+    images.begin_all(mirrors);
+    walk_picture_block(scene, images);
+    walk_picture_rest(scene, images);
+    BlockColours seen;
+    light_block(job, images, mirrors, seen);
+    tint_colours(images, mirrors, seen);
+    for (std::uint32_t k = 0; k < mirrors; ++k) {
+        const std::uint32_t r = of[k];
+        const Vec3f own = {colours.red[r], colours.green[r], colours.blue[r]};
+        const Vec3f both = in_mirror(job.mirror_floor, own, {seen.red[k], seen.green[k], seen.blue[k]});
+        colours.red[r] = both.x;
+        colours.green[r] = both.y;
+        colours.blue[r] = both.z;
+    }
+}
+
+void store_block(const detail::TileJob& job, const BlockPlace& place, const BlockColours& colours) {
     const std::uint32_t width = static_cast<std::uint32_t>(place.width);
-    for (std::uint32_t row = 0; row * width < count; ++row) {
-        const std::uint32_t first = row * width;
+    for (std::uint32_t row = 0; row * width < place.count; ++row) {
+        const float *red = colours.red + row * width, *green = colours.green + row * width;
+        const float* blue = colours.blue + row * width;
         const std::size_t pixel =
             (static_cast<std::size_t>(place.y) + row) * static_cast<std::size_t>(job.width) + place.x;
         if (job.rgb == nullptr) {
             std::uint32_t* out = job.rgba + pixel;
-            for (std::uint32_t k = 0; k < width; ++k)
-                out[k] = encoded({red[first + k], green[first + k], blue[first + k]});
+            for (std::uint32_t k = 0; k < width; ++k) out[k] = encoded({red[k], green[k], blue[k]});
         } else {
             float* out = job.rgb + 3 * pixel;
             for (std::uint32_t k = 0; k < width; ++k) {
-                out[3 * k] = red[first + k];
-                out[3 * k + 1] = green[first + k];
-                out[3 * k + 2] = blue[first + k];
+                out[3 * k] = red[k];
+                out[3 * k + 1] = green[k];
+                out[3 * k + 2] = blue[k];
             }
         }
     }
@@ -150,6 +185,7 @@ void shade_block(const detail::TileJob& job, const BlockPlace& place, RayBlock& 
 
 void lambert_blocks(const detail::TileJob& job) {
     RayBlock block;
+    BlockColours colours;
     const CameraFrame camera = *job.camera;
     const int most = static_cast<int>(block_rays);
     for (int x = job.x0; x < job.x1; x += most) {
@@ -160,8 +196,11 @@ void lambert_blocks(const detail::TileJob& job) {
             const BlockPlace place = {x, y, width, static_cast<std::uint32_t>(width * height)};
             aim(camera, job.start_cell, place, block);
             walk_picture_block(*job.scene, block);
-            shade_rest(*job.scene, block);
-            shade_block(job, place, block);
+            walk_picture_rest(*job.scene, block);
+            light_block(job, block, place.count, colours);
+            if (job.mirror_floor > 0) mirror_block(job, block, place.count, colours);
+            tint_colours(block, place.count, colours);
+            store_block(job, place, colours);
         }
     }
 }

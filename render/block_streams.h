@@ -56,7 +56,7 @@ void begin_rays(RayBlock& block, const BlockOfStream& of, const float* max_dista
                 block.status[r] = static_cast<std::uint32_t>(WalkStatus::Refused);
         }
     }
-    block.derive(0, of.count);
+    block.derive(of.count);
     std::uint32_t count = 0;
     for (std::uint32_t r = 0; r < of.count; ++r) {
         block.active[count] = r;
@@ -150,7 +150,7 @@ void begin_segments(RayBlock& block, const BlockOfStream& of, const float (&to)[
         count += block.status[r];
     }
     block.active_count = count;
-    block.derive(0, of.count);
+    block.derive(of.count);
 }
 
 void visible_blocks(const detail::SegmentJob& job) {

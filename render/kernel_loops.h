@@ -303,7 +303,7 @@ void counted(const Job& job, const Body& body) {
 
 void lambert_tile(const detail::TileJob& job) {
 #if ENFILADE_WIDE_SIDES
-    if (job.stats == nullptr && !job.is_double && !(job.mirror_floor > 0)) return lambert_blocks(job);
+    if (job.stats == nullptr && !job.is_double) return lambert_blocks(job);
 #endif
     counted(job, [&](auto& events) {
         if (job.is_double) lambert_rows<double>(job, events);

@@ -57,9 +57,19 @@ struct alignas(64) RayBlock {
                 zero_is_left ? ~0u : 0u};
     }
 
-    /// Fills in what follows from origins and directions [begin, end): `make_ray_unchecked`, and no glass yet.
-    ENFILADE_HD void derive(std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t r = begin; r < end; ++r) {
+    ENFILADE_HD void set(std::uint32_t r, Vec<float> origin, Vec<float> direction, std::uint32_t start_cell) {
+        ox[r] = origin.x;
+        oy[r] = origin.y;
+        oz[r] = origin.z;
+        dx[r] = direction.x;
+        dy[r] = direction.y;
+        dz[r] = direction.z;
+        start[r] = start_cell;
+    }
+
+    /// Fills in what follows from the first rays' origins and directions: `make_ray_unchecked`.
+    ENFILADE_HD void derive(std::uint32_t count) {
+        for (std::uint32_t r = 0; r < count; ++r) {
             moment[r] = difference_of_products(ox[r], dy[r], oy[r], dx[r]);
             minus_dy[r] = -dy[r];
             least_left[r] = zero_side_is_positive(dx[r], dy[r]) ? -0x1p-149f : 0.0f;
@@ -68,6 +78,16 @@ struct alignas(64) RayBlock {
             sloping[r] = dz[r] != 0 ? ~0u : 0u;
             next[r] = cell[r] = start[r];
         }
+    }
+
+    /// `derive`; all of them walk, and no glass yet.
+    ENFILADE_HD void begin_all(std::uint32_t count) {
+        derive(count);
+        for (std::uint32_t r = 0; r < count; ++r) {
+            active[r] = r;
+            tint[0][r] = tint[1][r] = tint[2][r] = 1;
+        }
+        active_count = count;
     }
 };
 

@@ -217,6 +217,7 @@ TEST_P(KernelSets, DrawTheSamePixels) {
             job.samples_a_side = 1;
             job.start_cell = c;
             job.stats = stats;
+            job.mirror_floor = i % 2 == 0 ? 0.0f : 0.4f;
             set.lambert_tile(job);
             for (const float channel : rgb) rgba.push_back(bits_of(channel));
             return rgba;
@@ -227,7 +228,7 @@ TEST_P(KernelSets, DrawTheSamePixels) {
                 RayStats stats;
                 EXPECT_EQ(picture_by(*set, is_rgb, nullptr), expected) << set->name << ", picture " << i;
                 EXPECT_EQ(picture_by(*set, is_rgb, &stats), expected) << set->name << ", counted, picture " << i;
-                EXPECT_EQ(stats.rays, (width - 6u) * (height - 5u));
+                EXPECT_GE(stats.rays, (width - 6u) * (height - 5u));
             }
         }
     }
