@@ -167,39 +167,93 @@ HWY_NOINLINE void fill_layers(F d, const Canvas& canvas, const Rectangle& at, co
 }
 
 /// One face into a framebuffer: root(cosine) times the roots of its colour's channels.
-template <class F>
-HWY_INLINE void fill_face(F d, const Canvas& canvas, const Rectangle& at, const Layer& face) {
-    const detail::TileJob& job = canvas.job;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const hn::RebindToUnsigned<F> du;
-    const Affine cosine = along(*job.camera, face.normal);
-    // The cosine's root is at most 1 by what is lost in approximating it, which rounding to 255 takes off.
-    const auto full = [&](float colour) HWY_ATTR { return hn::Set(d, 255.0f * (colour < 1 ? root(colour) : 1.0f)); };
-    const auto r = full(face.scale.x), g = full(face.scale.y), b = full(face.scale.z);
-    const auto rounding = hn::Set(d, rounds_to_integer);
-    const auto first = centres(d, at.x0);
-    const auto by_x = hn::Set(d, cosine.by_x), lc = hn::Set(d, canvas.lengths.c());
-    for (int y = at.y0; y < at.y1; ++y) {
-        const auto la = hn::Set(d, canvas.lengths.a(y)), lb = hn::Set(d, canvas.lengths.b(y));
-        const auto start = hn::Set(d, cosine.row(y));
-        std::uint32_t* out = pixel_rgba(job, at.x0, y);
-        auto x = first;
-        const auto step = hn::Set(d, static_cast<float>(lanes));
-        const auto pixels = [&]() HWY_ATTR {
-            const auto squared = hn::MulAdd(x, hn::MulAdd(x, lc, lb), la);
-            const auto lit = hn::Mul(hn::MulAdd(x, by_x, start), hn::ApproximateReciprocalSqrt(squared));
-            const auto bright = quick_root(lit);
-            return packed(du, hn::MulAdd(bright, r, rounding), hn::MulAdd(bright, g, rounding),
-                          hn::MulAdd(bright, b, rounding));
-        };
-        int left = at.x1 - at.x0;
-        for (; left >= lanes; left -= lanes) {
-            hn::StoreU(pixels(), du, out);
-            out += lanes;
-            x = hn::Add(x, step);
+struct FaceFill {
+    const Canvas& canvas;
+    Affine cosine;
+    V r, g, b;
+
+    HWY_INLINE FaceFill(const Canvas& canvas_, const Layer& face)
+        : canvas(canvas_),
+          cosine(along(*canvas_.job.camera, face.normal)),
+          r(full(face.scale.x)),
+          g(full(face.scale.y)),
+          b(full(face.scale.z)) {}
+
+private:
+    /// The cosine's root is at most 1 by what is lost in approximating it, which rounding to 255 takes off.
+    static HWY_INLINE V full(float colour) { return hn::Set(D(), 255.0f * (colour < 1 ? root(colour) : 1.0f)); }
+};
+
+/// Centres of the pixels that one register holds: rows of C.
+template <int C>
+struct RegisterCentres {
+    alignas(64) float x[lane_count];
+    alignas(64) float y[lane_count];
+    constexpr RegisterCentres() : x(), y() {
+        for (int i = 0; i < lane_count; ++i) {
+            x[i] = static_cast<float>(i % C) + 0.5f;
+            y[i] = static_cast<float>(i / C) + 0.5f;
         }
-        if (left > 0) store_first(left, pixels(), du, out);
     }
+};
+template <int C>
+inline constexpr RegisterCentres<C> register_centres;
+
+/// Stores a register of rows of C pixels, as far as they lie within x1 and y1.
+template <int C>
+HWY_INLINE void store_rows(const detail::TileJob& job, hn::Vec<DU> pixels, int x, int y, int x1, int y1) {
+    constexpr int rows = lane_count / C;
+    if (rows == 1 && x + C <= x1) return hn::StoreU(pixels, DU(), pixel_rgba(job, x, y));
+    HWY_ALIGN std::uint32_t part[lane_count];
+    hn::Store(pixels, DU(), part);
+    const int width = x1 - x < C ? x1 - x : C;
+    for (int row = 0; row < rows && y + row < y1; ++row) {
+        if (HWY_LIKELY(width == C)) std::memcpy(pixel_rgba(job, x, y + row), part + row * C, sizeof *part * C);
+        else std::memcpy(pixel_rgba(job, x, y + row), part + row * C, sizeof *part * static_cast<std::size_t>(width));
+    }
+}
+
+/// M registers beside each other, each of rows of C pixels, from the top to the bottom: what depends on x alone is
+/// computed once.
+template <int C, int M>
+HWY_INLINE void fill_columns(const FaceFill& face, int x0, int x1, int y0, int y1) {
+    constexpr int rows = lane_count / C;
+    const Lengths& lengths = face.canvas.lengths;
+    V of_x[M], by_y[M], facing_of_x[M];
+    for (int m = 0; m < M; ++m) {
+        const V x = hn::Add(hn::Load(D(), register_centres<C>.x), hn::Set(D(), static_cast<float>(x0 + m * C)));
+        of_x[m] = hn::MulAdd(x, hn::MulAdd(x, hn::Set(D(), lengths.by_xx), hn::Set(D(), lengths.by_x)),
+                             hn::Set(D(), lengths.of_corner));
+        by_y[m] = hn::MulAdd(x, hn::Set(D(), lengths.by_xy), hn::Set(D(), lengths.by_y));
+        facing_of_x[m] = hn::MulAdd(x, hn::Set(D(), face.cosine.by_x), hn::Set(D(), face.cosine.at_corner));
+    }
+    const V by_yy = hn::Set(D(), lengths.by_yy), facing_by_y = hn::Set(D(), face.cosine.by_y);
+    const V rounding = hn::Set(D(), rounds_to_integer), step = hn::Set(D(), static_cast<float>(rows));
+    V y = hn::Add(hn::Load(D(), register_centres<C>.y), hn::Set(D(), static_cast<float>(y0)));
+    for (int row = y0; row < y1; row += rows, y = hn::Add(y, step)) {
+        for (int m = 0; m < M; ++m) {
+            const V squared = hn::MulAdd(y, hn::MulAdd(y, by_yy, by_y[m]), of_x[m]);
+            const V facing = hn::MulAdd(y, facing_by_y, facing_of_x[m]);
+            const V bright = quick_root(hn::Mul(facing, hn::ApproximateReciprocalSqrt(squared)));
+            store_rows<C>(face.canvas.job,
+                          packed(DU(), hn::MulAdd(bright, face.r, rounding), hn::MulAdd(bright, face.g, rounding),
+                                 hn::MulAdd(bright, face.b, rounding)),
+                          x0 + m * C, row, x1, y1);
+        }
+    }
+}
+
+HWY_INLINE void fill_face(const Canvas& canvas, const Rectangle& at, const Layer& layer) {
+    const FaceFill face(canvas, layer);
+    int x = at.x0;
+    for (; at.x1 - x >= 4 * lane_count; x += 4 * lane_count)
+        fill_columns<lane_count, 4>(face, x, at.x1, at.y0, at.y1);
+    for (; at.x1 - x >= 2 * lane_count; x += 2 * lane_count)
+        fill_columns<lane_count, 2>(face, x, at.x1, at.y0, at.y1);
+    constexpr int half = lane_count < 8 ? lane_count : lane_count / 2;
+    for (; at.x1 - x > half; x += lane_count) fill_columns<lane_count, 1>(face, x, at.x1, at.y0, at.y1);
+    for (; at.x1 - x > 4; x += half) fill_columns<half, 1>(face, x, at.x1, at.y0, at.y1);
+    if (x < at.x1) fill_columns<4, 1>(face, x, at.x1, at.y0, at.y1);
 }
 
 /// Fills a rectangle.
@@ -211,7 +265,7 @@ HWY_INLINE void fill(const Canvas& canvas, const Rectangle& at, const Layers& la
         else body(D());
     };
     const bool is_plain = canvas.job.rgb == nullptr && layers.count == 1 && !layers.layer[0].is_sky;
-    if (is_plain) by_width([&](auto d) HWY_ATTR { fill_face(d, canvas, at, layers.layer[0]); });
+    if (is_plain) fill_face(canvas, at, layers.layer[0]);
     else by_width([&](auto d) HWY_ATTR { fill_layers(d, canvas, at, layers); });
 }
 

@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include <type_traits>
+
 #include "render/framebuffer.h"
 #include "render/kernel.h"
 #include "render/shade.h"
@@ -42,6 +44,12 @@ HWY_AFTER_NAMESPACE();
 #include "render/lanes/picture-inl.h"
 //
 #include "render/lanes/packet-inl.h"
+//
+#include "render/lanes/prism-inl.h"
+//
+#include "render/lanes/queue-inl.h"
+//
+#include "render/lanes/nearest-inl.h"
 //
 #include "render/lanes/stream-inl.h"
 
