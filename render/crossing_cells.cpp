@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "accel/locate.h"
+#include "render/line_boxes.h"
 #include "render/walk.h"
 
 namespace enfilade::render::detail {
@@ -12,30 +13,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A stretch of a line.
-struct Range {
-    double low = -infinite, high = infinite;
-
-    /// Keeps what lies between two planes across one axis, which the ray's origin and direction say.
-    void clip(double origin, double direction, double low_plane, double high_plane) {
-        if (direction == 0) {
-            if (!(origin >= low_plane && origin <= high_plane)) high = -infinite;
-            return;
-        }
-        const double a = (low_plane - origin) / direction, b = (high_plane - origin) / direction;
-        low = std::max(low, std::min(a, b));
-        high = std::min(high, std::max(a, b));
-    }
-};
-
-[[nodiscard]] bool meets(const accel::SceneView& scene, const Ray<double>& ray, const accel::LocatorNode& node,
+[[nodiscard]] bool meets(const LineBoxes& line, const accel::SceneView& scene, const accel::LocatorNode& node,
                          double from, double to) {
-    Range range = {from, to};
     const double margin = scene.unit;
-    range.clip(ray.origin.x, ray.direction.x, node.low[0] - margin, node.high[0] + margin);
-    range.clip(ray.origin.y, ray.direction.y, node.low[1] - margin, node.high[1] + margin);
-    range.clip(ray.origin.z, ray.direction.z, node.low[2] - margin, node.high[2] + margin);
-    return range.low <= range.high;
+    return line.meets({node.low[0] - margin, node.low[1] - margin, node.low[2] - margin},
+                      {node.high[0] + margin, node.high[1] + margin, node.high[2] + margin}, from, to);
 }
 
 /// The part of the line between the cell's sides. Grid rounding may bend a side, so that there are two ways in.
@@ -68,25 +50,33 @@ bool clip_by_sides(const accel::SceneView& scene, const Ray<double>& ray, const 
     return stretch.enter < stretch.leave;
 }
 
-bool clip_by_cell(const accel::SceneView& scene, const Ray<double>& ray, std::uint32_t id, CellStretch& stretch) {
+/// The part of the line between `from` and `to` that runs through the cell.
+bool clip_by_cell(const accel::SceneView& scene, const Ray<double>& ray, std::uint32_t id, double from, double to,
+                  CellStretch& stretch) {
     const accel::Cell& cell = scene.cells[id];
+    const double dz = ray.direction.z, oz = ray.origin.z;
+    double level_enter = -infinite, level_leave = infinite;
+    if (dz == 0) {
+        if (!(oz >= cell.z_floor && oz < cell.z_ceiling)) return false;
+    } else {
+        const double floor = (cell.z_floor - oz) / dz, ceiling = (cell.z_ceiling - oz) / dz;
+        level_enter = dz > 0 ? floor : ceiling;
+        level_leave = dz > 0 ? ceiling : floor;
+        if (!(level_leave > from) || !(level_enter < to)) return false;
+    }
     stretch = {-infinite, infinite, id, Exit::Side, no_section, no_section};
     if (ray.direction.x == 0 && ray.direction.y == 0) {
         if (!accel::contains(scene, accel::CellId(id), {ray.origin.x, ray.origin.y, cell.z_floor})) return false;
     } else if (!clip_by_sides(scene, ray, cell, stretch)) {
         return false;
     }
-    const double dz = ray.direction.z, oz = ray.origin.z;
-    if (dz == 0) return oz >= cell.z_floor && oz < cell.z_ceiling;
-    const double floor = (cell.z_floor - oz) / dz, ceiling = (cell.z_ceiling - oz) / dz;
-    const double level_enter = dz > 0 ? floor : ceiling;
     // Levels are shifted down by a vanishing amount: what falls meets them later, what rises sooner.
     if (dz < 0 ? stretch.enter <= level_enter : stretch.enter < level_enter) {
         stretch.enter = level_enter;
         stretch.by = dz > 0 ? Exit::Floor : Exit::Ceiling;
     }
-    stretch.leave = std::min(stretch.leave, dz > 0 ? ceiling : floor);
-    return stretch.enter < stretch.leave;
+    stretch.leave = std::min(stretch.leave, level_leave);
+    return stretch.enter < stretch.leave && stretch.leave > from && stretch.enter < to;
 }
 
 }  // namespace
@@ -94,18 +84,18 @@ bool clip_by_cell(const accel::SceneView& scene, const Ray<double>& ray, std::ui
 void cells_along(const accel::SceneView& scene, const Ray<double>& ray, double from, double to,
                  std::vector<CellStretch>& found) {
     found.clear();
+    const LineBoxes line(ray);
     for (std::size_t i = 0; i < scene.locator_nodes.size();) {
         const accel::LocatorNode& node = scene.locator_nodes[i];
-        if (!meets(scene, ray, node, from, to)) {
+        if (!meets(line, scene, node, from, to)) {
             i = node.skip;
             continue;
         }
         const std::uint32_t first = node.first_and_count >> 3;
         for (std::uint32_t k = 0; k < (node.first_and_count & 7u); ++k) {
             CellStretch stretch;
-            if (clip_by_cell(scene, ray, std::uint32_t(index(scene.locator_cells[first + k])), stretch) &&
-                stretch.leave > from && stretch.enter < to)
-                found.push_back(stretch);
+            const auto id = std::uint32_t(index(scene.locator_cells[first + k]));
+            if (clip_by_cell(scene, ray, id, from, to, stretch)) found.push_back(stretch);
         }
         ++i;
     }

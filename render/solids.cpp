@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "render/line_boxes.h"
 #include "render/walk.h"
 
 namespace enfilade::render {
@@ -14,22 +15,12 @@ constexpr std::uint32_t prisms_a_leaf = 4;
 
 using Bounds = std::array<std::array<double, 3>, 2>;
 
-bool meets(const Ray<double>& ray, const std::array<double, 3>& low, const std::array<double, 3>& high, double from,
-           double to) {
-    const std::array<double, 3> origin = {ray.origin.x, ray.origin.y, ray.origin.z};
-    const std::array<double, 3> direction = {ray.direction.x, ray.direction.y, ray.direction.z};
-    constexpr double margin = 1e-3;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (direction[k] == 0) {
-            if (!(origin[k] >= low[k] - margin && origin[k] <= high[k] + margin)) return false;
-            continue;
-        }
-        const double a = (low[k] - margin - origin[k]) / direction[k];
-        const double b = (high[k] + margin - origin[k]) / direction[k];
-        from = std::max(from, std::min(a, b));
-        to = std::min(to, std::max(a, b));
-    }
-    return from <= to;
+/// Boxes are larger than their solids by this, in metres.
+constexpr double margin = 1e-3;
+
+/// On which side of the ray the vertical line passes: one number for all prisms that share it.
+double side_of(const Ray<double>& ray, const std::array<double, 2>& p) {
+    return (p[1] - ray.origin.y) * ray.direction.x - (p[0] - ray.origin.x) * ray.direction.y;
 }
 
 }  // namespace
@@ -54,8 +45,8 @@ void Solids::build(std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) {
         const Bounds box = bounds_of(prisms_[order_[i]]);
         for (std::size_t k = 0; k < 3; ++k) {
-            node.low[k] = std::min(node.low[k], box[0][k]);
-            node.high[k] = std::max(node.high[k], box[1][k]);
+            node.low[k] = std::min(node.low[k], box[0][k] - margin);
+            node.high[k] = std::max(node.high[k], box[1][k] + margin);
         }
     }
     const std::size_t at = nodes_.size();
@@ -110,26 +101,29 @@ void Solids::add_stretches(const Ray<double>& ray, std::uint32_t id, double from
     }
     // Signs change an even number of times around a ring: in, out, in, out.
     const auto is_left = [&](double side) { return side > 0 || (side == 0 && ray.zero_mask != 0); };
-    std::vector<double> borders;
+    const std::size_t before = found.size();
     const std::array<double, 2>* corners = corners_.data() + prism.first_corner;
     std::array<double, 2> p = corners[prism.corner_count - 1];
-    double p_side = line_side(ray, p[0], p[1]);
+    double p_side = side_of(ray, p);
     for (std::uint32_t i = 0; i < prism.corner_count; ++i) {
         const std::array<double, 2> q = corners[i];
-        const double q_side = line_side(ray, q[0], q[1]);
+        const double q_side = side_of(ray, q);
         if (is_left(p_side) != is_left(q_side)) {
             const Crossing<double> at = is_left(q_side) ? crossing(ray, p[0], p[1], p_side, q[0], q[1], q_side)
                                                         : crossing(ray, q[0], q[1], q_side, p[0], p[1], p_side);
-            borders.push_back(at.num / at.den);
+            found.push_back({at.num / at.den, 0, id});
         }
         p = q;
         p_side = q_side;
     }
-    std::sort(borders.begin(), borders.end());
-    for (std::size_t i = 0; i + 1 < borders.size(); i += 2) {
-        const double enter = std::max(from, borders[i]), leave = std::min(to, borders[i + 1]);
-        if (enter < leave) found.push_back({enter, leave, id});
+    const auto borders = found.begin() + std::ptrdiff_t(before);
+    std::sort(borders, found.end(), [](const SolidStretch& a, const SolidStretch& b) { return a.enter < b.enter; });
+    std::size_t kept = before;
+    for (std::size_t i = before; i + 1 < found.size(); i += 2) {
+        const double enter = std::max(from, found[i].enter), leave = std::min(to, found[i + 1].enter);
+        if (enter < leave) found[kept++] = {enter, leave, id};
     }
+    found.resize(kept);
 }
 
 bool Solids::are_around(const Vec3d& p) const {
@@ -140,9 +134,10 @@ bool Solids::are_around(const Vec3d& p) const {
 
 void Solids::along(const Ray<double>& ray, double from, double to, std::vector<SolidStretch>& found) const {
     found.clear();
+    const detail::LineBoxes line(ray);
     for (std::size_t i = 0; i < nodes_.size();) {
         const Node& node = nodes_[i];
-        if (!meets(ray, node.low, node.high, from, to)) {
+        if (!line.meets(node.low, node.high, from, to)) {
             i = node.skip;
             continue;
         }

@@ -149,6 +149,7 @@ void bench_convexify(Bench& bench);
 void bench_dial(Bench& bench);
 void bench_edit(Bench& bench);
 void bench_gmap(Bench& bench);
+void bench_queries(Bench& bench);
 void bench_scene(Bench& bench);
 
 }  // namespace enfilade::tools

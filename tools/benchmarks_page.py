@@ -10,6 +10,7 @@ TITLES = {
     "gmap": "The topological kernel",
     "scene": "Loading a scene",
     "cells": "Tracing through cells",
+    "queries": "Files of rays",
     "convexify": "Cutting rooms into cells",
     "dial": "What each option costs",
 }
@@ -20,6 +21,8 @@ NOTES = {
     "cells": "The same rays, in the same run, in turn; Mrays/s, in brackets how many times faster than Embree's best way to do the "
              "same: its one ray at a time for *scalar* pictures, else whatever is fastest of rtcIntersect1, 8 and 16 (rtcOccluded "
              "for shadow rays), coherent or not, over triangles or quads, with the shading in lanes. **!**: below the goal.",
+    "queries": "`enfilade trace` as a whole, on one core: reading float64, locating origins, tracing, writing records; the "
+               "reference has its columns of floats and their cells already ([queries.md](queries.md)).",
     "convexify": "![Every plan under every way to cut](convexify.svg)\n\nThe ways to cut rooms (`--convexify`), on generated plans "
                  "and on those of other people that the developers have at hand. Cells, sections, faces and bytes count "
                  "openings and the exterior. *SAH* is the sum that `sah` minimises: the visits' worth that a ray pays "

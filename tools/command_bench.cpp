@@ -23,6 +23,7 @@ constexpr std::array entries = {
     Entry{"gmap", "the topological kernel: bytes a dart, validation", bench_gmap},
     Entry{"scene", "loading and validating a scene file", bench_scene},
     Entry{"cells", "tracing through cells, against Embree on the same rays", bench_cells},
+    Entry{"queries", "files of rays: where the time goes, and what lies behind walls", bench_queries},
     Entry{"convexify", "the ways to cut rooms into cells: how few, how fast, and what rays make of them",
           bench_convexify},
     Entry{"edit", "boxes put into rooms, against building all again", bench_edit},

@@ -59,7 +59,8 @@ void place_outside_cells(const accel::SceneView& scene, PlacedRay& ray) {
 void place_rays(const accel::SceneView& scene, const accel::PointGrid& grid, std::span<const double> numbers,
                 std::size_t columns, std::vector<PlacedRay>& rays) {
     rays.clear();
-    accel::CellId near = none<accel::CellId>;
+    accel::CellId near = none<accel::CellId>;  ///< that holds near_origin
+    Vec3d near_origin = {0, 0, 0};
     for (const double* n = numbers.data(); n != numbers.data() + numbers.size(); n += columns) {
         PlacedRay ray = {{n[0] - scene.origin[0], n[1] - scene.origin[1], n[2] - scene.origin[2]},
                          scaled_for_float({n[3], n[4], n[5]}),
@@ -68,10 +69,15 @@ void place_rays(const accel::SceneView& scene, const accel::PointGrid& grid, std
                          none<accel::CellId>,
                          Start::Refused};
         if (is_ray(ray)) {
-            ray.cell = grid.find({ray.origin.x, ray.origin.y, ray.origin.z}, near);
+            const bool is_same = near != none<accel::CellId> && ray.origin == near_origin;  // one source, many rays
+            ray.cell = is_same ? near : grid.find({ray.origin.x, ray.origin.y, ray.origin.z}, near);
             ray.start = ray.cell != none<accel::CellId> ? Start::Cell : Start::Wall;
-            if (ray.cell != none<accel::CellId>) near = ray.cell;
-            else place_outside_cells(scene, ray);
+            if (ray.cell != none<accel::CellId>) {
+                near = ray.cell;
+                near_origin = ray.origin;
+            } else {
+                place_outside_cells(scene, ray);
+            }
         }
         rays.push_back(ray);
     }
