@@ -7,38 +7,20 @@
 namespace enfilade::render {
 namespace {
 
-constexpr std::size_t chunk_rays = 1 << 13;
+/// Rays a task: so many that most queues of cells fill up (lanes/queue-inl.h) where they come in any order.
+constexpr std::size_t coherent_rays = 1 << 13;
+constexpr std::size_t mixed_rays = 1 << 16;
 
-/// Indices of the chunk's rays in ascending order of their cells, stable: a radix sort by its two halves would not pay
-/// for chunks of this size.
-void sort_by_cell(std::span<const accel::CellId> cells, std::size_t begin, std::size_t end,
-                  std::vector<std::uint32_t>& order) {
-    std::vector<std::uint64_t> keys;
-    keys.reserve(end - begin);
-    for (std::size_t i = begin; i < end; ++i)
-        keys.push_back(std::uint64_t(static_cast<std::uint32_t>(cells[i])) << 32 | i);
-    std::sort(keys.begin(), keys.end());
-    order.clear();
-    for (const std::uint64_t key : keys) order.push_back(static_cast<std::uint32_t>(key));
-}
-
-/// Calls `kernel` for chunks of the job, each with its order and its statistics.
+/// Calls `kernel` for chunks of the job, each with its statistics.
 template <class Job>
-void run_chunks(const Job& all, std::span<const accel::CellId> cells, const StreamOptions& options,
-                void (*kernel)(const Job&)) {
-    const std::size_t count = cells.size();
+void run_chunks(const Job& all, std::size_t count, const StreamOptions& options, void (*kernel)(const Job&)) {
+    const std::size_t chunk_rays = options.order == StreamOrder::Any ? mixed_rays : coherent_rays;
     std::vector<RayStats> of_chunk(options.stats != nullptr ? (count + chunk_rays - 1) / chunk_rays : 0);
     const accel::SerialExecutor serial;
     const accel::Executor& executor = options.executor != nullptr ? *options.executor : serial;
     accel::parallel_for(executor, count, chunk_rays, [&](std::size_t begin, std::size_t end) {
         Job job = all;
-        std::vector<std::uint32_t> order;
-        if (options.order == StreamOrder::Any) {
-            sort_by_cell(cells, begin, end, order);
-            job.order = order.data();
-            end -= begin;
-        }
-        job.begin = options.order == StreamOrder::Any ? 0 : begin;
+        job.begin = begin;
         job.end = end;
         if (options.stats != nullptr) job.stats = &of_chunk[begin / chunk_rays];
         kernel(job);
@@ -71,7 +53,7 @@ void nearest(const accel::SceneView& scene, const RayColumns& rays, const HitCol
     job.status = data_or_null(hits.status);
     const detail::LaneKernels* lanes = detail::lane_kernels();
     const bool is_scalar = options.tracer == Tracer::Scalar || lanes == nullptr;
-    run_chunks(job, rays.cell, options, is_scalar ? detail::kernels().nearest : lanes->nearest);
+    run_chunks(job, rays.cell.size(), options, is_scalar ? detail::kernels().nearest : lanes->nearest);
 }
 
 void visible(const accel::SceneView& scene, const SegmentColumns& segments, std::span<std::uint8_t> visible,
@@ -89,7 +71,7 @@ void visible(const accel::SceneView& scene, const SegmentColumns& segments, std:
     job.visible = visible.data();
     const detail::LaneKernels* lanes = detail::lane_kernels();
     const bool is_scalar = options.tracer == Tracer::Scalar || lanes == nullptr;
-    run_chunks(job, segments.from_cell, options, is_scalar ? detail::kernels().visible : lanes->visible);
+    run_chunks(job, segments.from_cell.size(), options, is_scalar ? detail::kernels().visible : lanes->visible);
 }
 
 }  // namespace enfilade::render

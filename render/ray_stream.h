@@ -37,7 +37,7 @@ struct SegmentColumns {
 
 enum class StreamOrder {
     Coherent,  ///< neighbours in the stream are neighbours in space
-    Any        ///< rays are sorted by their cells first
+    Any        ///< neighbours are strangers: more rays a task, so that those of one cell meet
 };
 
 struct StreamOptions {
