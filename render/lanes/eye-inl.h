@@ -13,8 +13,10 @@ struct Rectangle {
 /// Four rays around others from the same point, in plan.
 struct Corners4 {
     struct Line {
-        float dx, minus_dy, moment, threshold;
+        float dx, minus_dy, moment;
     } line[4];
+    Vec3f eye;
+    float noise;  ///< times a line's coordinates and the eye's: more than rounding makes of any side of it
 
     /// Through the centres of a rectangle's corner pixels.
     HWY_INLINE Corners4(const CameraFrame& camera, const Rectangle& at) {
@@ -22,21 +24,38 @@ struct Corners4 {
         const float y[2] = {static_cast<float>(at.y0) + 0.5f, static_cast<float>(at.y1) - 0.5f};
         for (int i = 0; i < 4; ++i) {
             const Vec3f d = camera.direction(x[i % 2], y[i / 2]);
-            line[i] = {d.x, -d.y, camera.origin.x * d.y - camera.origin.y * d.x,
-                       zero_side_is_positive(d.x, d.y) ? -0x1p-149f : 0.0f};
+            line[i].dx = d.x;
+            line[i].minus_dy = -d.y;
+            line[i].moment = camera.origin.x * d.y - camera.origin.y * d.x;
+        }
+        const auto level = [](Vec3f v) { return magnitude(v.x) + magnitude(v.y); };
+        eye = camera.origin;
+        noise = 0x1p-20f * (level(camera.corner) + x[1] * level(camera.du) + y[1] * level(camera.dv));
+    }
+};
+
+/// On which sides of rays between four corners 16 vertical lines pass: on the left of all of them, and perhaps on the
+/// left of some. What rounding may make of any ray is allowed for, so that no line is thought to lie on one side of a
+/// ray that its own test puts on the other: the decisions are the scalar walk's.
+struct LineSides {
+    Bits all_left = ~Bits(0), some_left = 0;
+
+    /// Numbers behind the last line are read: zeros follow each array.
+    HWY_INLINE LineSides(const Corners4& corners, const float* HWY_RESTRICT xs, const float* HWY_RESTRICT ys) {
+        using F = Floats<16>;
+        const F x = load<16>(xs), y = load<16>(ys);
+        const F reach = magnitude_of(x) + magnitude_of(y) + F(magnitude(corners.eye.x) + magnitude(corners.eye.y));
+        const F noise = reach * F(corners.noise);
+        for (const Corners4::Line& corner : corners.line) {
+            const F side = fused_lanes(y, F(corner.dx), fused_lanes(x, F(corner.minus_dy), F(corner.moment)));
+            all_left &= is_less(noise, side);
+            some_left |= is_less(-noise, side);
         }
     }
 };
 
-/// Which of 16 lines a corner ray has on its left. Numbers behind the last line are read: zeros follow each array.
-HWY_INLINE Bits left_lines(const Corners4::Line& ray, const float* HWY_RESTRICT xs, const float* HWY_RESTRICT ys) {
-    using F = Floats<16>;
-    const F side = fused_lanes(load<16>(ys), F(ray.dx), fused_lanes(load<16>(xs), F(ray.minus_dy), F(ray.moment)));
-    return is_less(F(ray.threshold), side);
-}
-
-/// Sections that a ray between the corners may leave by: those that begin on the right of some corner and end on the
-/// left of some. Counted from the cell's first.
+/// Sections that a ray between the corners may leave by: those that begin on the right of some ray and end on the left
+/// of some. Counted from the cell's first.
 struct Candidates {
     static constexpr std::uint32_t most = 64;
     std::uint32_t size = 0;
@@ -45,23 +64,19 @@ struct Candidates {
     HWY_INLINE Candidates(const Corners4& corners, const float* HWY_RESTRICT xs, const float* HWY_RESTRICT ys,
                           std::uint32_t count) {
         constexpr std::uint32_t lines = 16;
-        Bits first_any_left = 0;
+        Bits first_some_left = 0;
         bool last_some_right = false;
         for (std::uint32_t begin = 0; begin < count; begin += lines) {
-            Bits all_left = ~Bits(0), any_left = 0;
-            for (const Corners4::Line& corner : corners.line) {
-                const Bits left = left_lines(corner, xs + begin, ys + begin);
-                all_left &= left;
-                any_left |= left;
-            }
-            if (begin == 0) first_any_left = any_left & 1u;
-            else if (last_some_right && (any_left & 1u) != 0) add(begin - 1);
+            const LineSides sides(corners, xs + begin, ys + begin);
+            if (begin == 0) first_some_left = sides.some_left & 1u;
+            else if (last_some_right && (sides.some_left & 1u) != 0) add(begin - 1);
             const std::uint32_t present = count - begin < lines ? count - begin : lines;
-            for (Bits both = ~all_left & any_left >> 1 & ((Bits(1) << (present - 1)) - 1); both != 0; both &= both - 1)
+            for (Bits both = ~sides.all_left & sides.some_left >> 1 & ((Bits(1) << (present - 1)) - 1); both != 0;
+                 both &= both - 1)
                 add(begin + lowest_bit(both));
-            last_some_right = (all_left >> (present - 1) & 1u) == 0;
+            last_some_right = (sides.all_left >> (present - 1) & 1u) == 0;
         }
-        if (last_some_right && first_any_left != 0) add(count - 1);
+        if (last_some_right && first_some_left != 0) add(count - 1);
     }
 
 private:

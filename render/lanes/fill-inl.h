@@ -17,6 +17,8 @@ struct Layer {
 struct Layers {
     Layer layer[2];
     int count = 0;
+
+    Layers() {}  // written when they are added
 };
 
 /// An affine function over the image.

@@ -27,7 +27,7 @@ public:
         Bundle bundle = from;
         events_.began_tile();
         Bits present = 0;
-        const Points<corner_count> directions = corner_directions(tile, present);
+        const Points<corner_count> directions = corner_directions(tile, at, present);
         Outlooks outlooks(scene_, *job_.camera, at, around);
         EyeRays<corner_count> rays(outlooks, job_.camera->origin, directions);
         if (bundle.is_mirrored) rays.mirror(bundle.mirror_level);
@@ -67,19 +67,38 @@ private:
 
     /// Through the centres of the pixels at the corners of the four quarters; lanes 4 q to 4 q + 3 belong to quarter q.
     /// Quarters beyond the image have none.
-    Points<corner_count> corner_directions(const Tile& tile, Bits& present) const {
+    HWY_INLINE Points<corner_count> corner_directions(const Tile& tile, const Rectangle& at, Bits& present) const {
+        using F = Floats<corner_count>;
+        const int half = tile.side / 2;
+        if (HWY_UNLIKELY(at.x1 - at.x0 != tile.side || at.y1 - at.y0 != tile.side))
+            return corner_directions_at_the_end(tile, present);
+        present = all_bits<corner_count>;
+        // Lane by lane: whether it is in the right (lower) quarters, and whether it is its right (lower) corner.
+        alignas(64) static constexpr float of_quarter[2][corner_count] = {
+            {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}};
+        alignas(64) static constexpr float of_corner[2][corner_count] = {
+            {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1}};
+        const F quarter(static_cast<float>(half)), corner(static_cast<float>(half - 1));
+        const auto place = [&](int axis, int start) HWY_ATTR {
+            return fused_lanes(load<corner_count>(of_quarter[axis]), quarter,
+                               fused_lanes(load<corner_count>(of_corner[axis]), corner,
+                                           F(static_cast<float>(start) + 0.5f)));
+        };
+        return directions(*job_.camera, place(0, tile.x), place(1, tile.y));
+    }
+
+    HWY_NOINLINE Points<corner_count> corner_directions_at_the_end(const Tile& tile, Bits& present) const {
         HWY_ALIGN float x[corner_count];
         HWY_ALIGN float y[corner_count];
         const int half = tile.side / 2;
+        present = 0;
         for (int q = 0; q < 4; ++q) {
             const Rectangle at = clipped({tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half});
             if (at.x0 < at.x1 && at.y0 < at.y1) present |= quarter_bits << (4 * q);
-            const float x0 = static_cast<float>(at.x0) + 0.5f, x1 = static_cast<float>(at.x1) - 0.5f;
-            const float y0 = static_cast<float>(at.y0) + 0.5f, y1 = static_cast<float>(at.y1) - 0.5f;
-            x[4 * q] = x[4 * q + 2] = x0;
-            x[4 * q + 1] = x[4 * q + 3] = x1;
-            y[4 * q] = y[4 * q + 1] = y0;
-            y[4 * q + 2] = y[4 * q + 3] = y1;
+            for (int corner = 0; corner < 4; ++corner) {
+                x[4 * q + corner] = corner % 2 == 0 ? static_cast<float>(at.x0) + 0.5f : static_cast<float>(at.x1) - 0.5f;
+                y[4 * q + corner] = corner / 2 == 0 ? static_cast<float>(at.y0) + 0.5f : static_cast<float>(at.y1) - 0.5f;
+            }
         }
         return directions(*job_.camera, load<corner_count>(x), load<corner_count>(y));
     }
@@ -96,13 +115,23 @@ private:
         bundle.cell = static_cast<std::uint32_t>(way.target().neighbour());
     }
 
-    /// What a face adds, seen by the bundle.
-    [[nodiscard]] Layer layer_of(const Way& way, const Bundle& bundle) const {
+    /// What a face adds, seen by the bundle. Written in place, number by number: copies wait for what was just written.
+    HWY_INLINE void see(const Way& way, const Bundle& bundle, Layer& layer) const {
         const accel::SourceFace& face = scene_.source_faces[way.target_bits];
-        const float turn = bundle.is_mirrored ? -1.0f : 1.0f;
-        if (face.surface == accel::Surface::Sky) return {true, turn, {}, bundle.tint};
+        layer.turn = bundle.is_mirrored ? -1.0f : 1.0f;
+        layer.is_sky = face.surface == accel::Surface::Sky;
+        if (layer.is_sky) {
+            layer.scale = bundle.tint;
+            return;
+        }
         const Vec3f n = outward_normal(scene_, way);
-        return {false, turn, {n.x, n.y, turn * n.z}, bundle.tint * colour_of(scene_, face)};
+        layer.normal.x = n.x;
+        layer.normal.y = n.y;
+        layer.normal.z = layer.turn * n.z;
+        const Vec3f colour = colour_of(scene_, face);
+        layer.scale.x = bundle.tint.x * colour.x;
+        layer.scale.y = bundle.tint.y * colour.y;
+        layer.scale.z = bundle.tint.z * colour.z;
     }
 
     void reflect(const Way& way, Bundle& bundle) const {
@@ -116,7 +145,7 @@ private:
     void fill_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
         Layers layers;
         if (bundle.is_mirrored) layers.layer[layers.count++] = {false, 1, {0, 0, -1}, bundle.floor};
-        layers.layer[layers.count++] = layer_of(way, bundle);
+        see(way, bundle, layers.layer[layers.count++]);
         fill(canvas_, at, layers);
         events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));
     }
