@@ -12,6 +12,7 @@
 #include "tools/bench.h"
 #include "tools/check_report.h"
 #include "tools/commands.h"
+#include "tools/count_pictures.h"
 #include "tools/exit_code.h"
 #include "tools/picture_files.h"
 #include "tools/progress.h"
@@ -127,6 +128,8 @@ struct Pictures {
     std::vector<std::filesystem::path> paths;
     std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
     render::RayStats stats;
+    std::string counted;  ///< what false colours show; empty: pictures of light
+    nlohmann::ordered_json counts;
 
     [[nodiscard]] std::uint64_t pixels() const {
         const render::Camera& camera = shots.front().view.camera;
@@ -150,16 +153,28 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     for (const Shot& shot : made.shots) names.push_back(shot.name);
     PictureFiles files(options.output, names);
     const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
+    std::optional<CountPictures> counts;
+    if (!options.show.empty()) {
+        std::vector<View> views;
+        for (const Shot& shot : made.shots) views.push_back(shot.view);
+        counts.emplace(scene.view(), views, options.show, *cores);
+    }
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
         render::Image image;
-        shot.seconds =
-            seconds_of([&] { image = render_view(options, choice, scene.view(), shot.view, watched, made.stats); });
+        shot.seconds = seconds_of([&] {
+            image = counts ? counts->picture(shot.view, watched)
+                           : render_view(options, choice, scene.view(), shot.view, watched, made.stats);
+        });
         files.write(k, image);
     }
     progress.next();
     files.commit();
+    if (counts) {
+        made.counted = counts->report();
+        made.counts = counts->json();
+    }
     made.paths = files.paths();
     return made;
 }
@@ -180,6 +195,7 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     nlohmann::ordered_json json = {
         {"command", "render"}, {"input", options.scene.string()}, {"output", options.output.string()}};
     json["tracer"] = choice.name();
+    if (!made.counted.empty()) json["counts"] = made.counts;
     json["real"] = choice.precision == render::Precision::Double ? "double" : "float";
     if (choice.has_packets())
         json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
@@ -199,7 +215,7 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
             json["pictures"].push_back(std::move(picture));
         }
     }
-    if (!choice.is_oracle) json["statistics"] = ray_json(made.stats, made.pixels());
+    if (!choice.is_oracle && made.counted.empty()) json["statistics"] = ray_json(made.stats, made.pixels());
     return json;
 }
 
@@ -219,7 +235,7 @@ int run_render(const RenderOptions& options, const Console& console) {
                 (made.paths.size() == 1 ? ": " + size
                                         : " to " + made.paths.back().filename().string() + ": " +
                                               counted(made.paths.size(), "picture") + " of " + size) +
-                " in " + time_text(made.seconds()) + '.');
+                " in " + time_text(made.seconds()) + (made.counted.empty() ? "" : "; " + made.counted) + '.');
     if (options.stats) console.print(ray_report(made.stats, made.pixels()));
     return exit_ok;
 }

@@ -89,6 +89,7 @@ struct InfoOptions {
     std::filesystem::path scene;
     std::filesystem::path svg;  ///< a drawing of the cuts; empty: none
     std::string storey;         ///< which one is drawn, by name or number; empty: all
+    std::string visible_from;   ///< the room whose sight is asked for; empty: none
 };
 int run_info(const InfoOptions& options, const Console& console);
 
@@ -104,6 +105,7 @@ struct RenderOptions {
     std::string packets;                      ///< "64:8"; empty: the usual ones
     std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors
     std::string shading = "look";
+    std::string show;               ///< "cells" or "sides" a ray in false colours; empty: light
     bool stats = false;             ///< say what happened to the rays
     std::optional<double> fov_deg;  ///< nothing: the view's own
     std::uint32_t samples = 2;

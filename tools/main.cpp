@@ -202,7 +202,9 @@ void add_check(CLI::App& app, Invocation& invocation, CheckOptions& options) {
 void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "info",
                                     "Show what a scene file holds: rooms, cells, bytes, and how they are joined.",
-                                    "  enfilade info house.enf\n  enfilade info house.enf --svg cuts.svg", run_info);
+                                    "  enfilade info house.enf\n  enfilade info house.enf --svg cuts.svg\n"
+                                    "  enfilade info house.enf --visible-from Kitchen",
+                                    run_info);
     add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
     CLI::Option* svg = add_value(command, "--svg", options.svg, "FILE",
                                  "draw how the rooms are cut, with cuts coloured by the area of their portal, to this "
@@ -210,6 +212,9 @@ void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
     add_value(command, "--storey", options.storey, "STOREY",
               "draw this storey only, by its name or its number, counted from 0 (all)")
         ->needs(svg);
+    add_value(command, "--visible-from", options.visible_from, "ROOM",
+              "say what can be seen from the room of this name or id instead: which rooms, through how many doors and "
+              "windows at least, and what share of its view each fills");
 }
 
 void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
@@ -255,6 +260,10 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(command, "--samples", options.samples, "N", "rays along each side of a pixel: 3 gives 9 a pixel (2)")
         ->check(CLI::Range(1u, 32u));
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
+    add_value(command, "--show", options.show, "WHAT",
+              "instead of light, in false colours what each pixel's ray costs the scalar tracer: cells, the ones it "
+              "enters, or sides, the vertical lines it is tested against")
+        ->check(CLI::IsMember({"cells", "sides"}));
     command->add_flag(
         "--stats", options.stats,
         "say what happened to the rays: cells and sides a ray, packets, recoveries; with --json it is always "

@@ -11,6 +11,7 @@
 
 #include "accel/locate.h"
 #include "base/error.h"
+#include "render/trace_rays.h"
 #include "tools/footpath.h"
 #include "tools/walkways.h"
 
@@ -31,6 +32,8 @@ constexpr double on_the_way = 0.35;     ///< views a metre outside the rooms vis
 constexpr double step_off = 0.6;        ///< from gates, metres
 constexpr double way_back = 2;          ///< metres walked after the last stop
 constexpr double stair_inset = 0.35;    ///< of the ends of a flight from the stairwell's
+constexpr double least_choice = 0.6;    ///< metres between views that choose the best place between them
+constexpr double better_by = 1.1;       ///< times as open, to leave a place for another
 constexpr double fov_deg = 80;
 
 /// Cells to stop in: the ones with room around their middles, in the part of the building where most of them are.
@@ -201,6 +204,46 @@ render::Camera camera_at(const Footpath& path, double metres) {
     return camera;
 }
 
+/// How far one sees, on the geometric average of a few rays: near things spoil a picture more than far ones mend it.
+double openness(const accel::SceneView& scene, const render::Camera& camera) {
+    render::Camera coarse = camera;
+    coarse.width = 8;
+    coarse.height = 6;
+    const render::CameraFrame frame = render::make_frame(coarse);
+    const std::optional<CellId> cell = cell_at(scene, render::vec_cast<double>(frame.origin));
+    if (!cell) return 0;
+    std::vector<render::RayQuery> rays;
+    for (int y = 0; y < coarse.height; ++y)
+        for (int x = 0; x < coarse.width; ++x)
+            rays.push_back({render::vec_cast<double>(frame.origin),
+                            render::vec_cast<double>(frame.direction(float(x) + 0.5f, float(y) + 0.5f)), *cell});
+    std::vector<render::RayHit> hits(rays.size());
+    render::trace_rays(scene, rays, hits);
+    double sum = 0;
+    for (const render::RayHit& hit : hits) sum += std::log(std::clamp(hit.distance, 0.1, 12.0));
+    return std::exp(sum / double(hits.size()));
+}
+
+/// The camera near that place of the path, less than half the way to its neighbours, which sees most; in a film, where
+/// they are close, the one at the place.
+render::Camera best_camera_near(const accel::SceneView& scene, const Footpath& path, const std::vector<double>& places,
+                                std::size_t view) {
+    render::Camera best = camera_at(path, places[view]);
+    if (view == 0) return best;  // in the door
+    double best_openness = openness(scene, best);
+    for (const int step : {-2, -1, 1, 2}) {
+        if (step > 0 && view + 1 == places.size()) continue;
+        const double away = (step < 0 ? places[view - 1] : places[view + 1]) - places[view];
+        if (std::abs(away) < least_choice) continue;
+        const render::Camera camera = camera_at(path, places[view] + 0.22 * std::abs(step) * away);
+        const double open = openness(scene, camera);
+        if (!(open > better_by * best_openness)) continue;
+        best = camera;
+        best_openness = open;
+    }
+    return best;
+}
+
 /// What people call the place: the name of its space, or its id, or what it is.
 std::string place_name(const accel::SceneView& scene, CellId id) {
     const accel::Cell& cell = scene.cells[index(id)];
@@ -226,8 +269,9 @@ std::vector<SavedView> make_tour(const accel::SceneView& scene, const TourOption
     for (const CellId stop : stops) visited.insert(scene.cells[index(stop)].space);
     std::vector<SavedView> views;
     std::map<std::string, int> named;
-    for (const double metres : view_places(scene, path, visited, options.views)) {
-        SavedView view = as_saved({"the tour", camera_at(path, metres), {}}, scene);
+    const std::vector<double> places = view_places(scene, path, visited, options.views);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        SavedView view = as_saved({"the tour", best_camera_near(scene, path, places, k), {}}, scene);
         const std::string name = place_name(scene, view.cell);
         const int number = ++named[name];
         view.name = number == 1 ? name : name + ' ' + std::to_string(number);

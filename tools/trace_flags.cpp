@@ -57,6 +57,20 @@ float parse_mirror(const std::string& text) {
     return *share;
 }
 
+/// What --show counts, whatever makes pictures of light.
+TracerChoice scalar_walk(const RenderOptions& options) {
+    const bool is_usual = (options.tracer.empty() || options.tracer == "scalar") && options.real != "double" &&
+                          options.packets.empty() && !options.mirror_floor && !options.stats;
+    if (!is_usual)
+        throw InputError("F138", "",
+                         "--show " + options.show +
+                             " counts what the scalar tracer does in single precision, without mirrors: leave out "
+                             "other tracers, --real double, --packets, --mirror-floor and --stats.");
+    TracerChoice choice;
+    choice.tracer = Tracer::Scalar;
+    return choice;
+}
+
 Tracer parse_tracer(const std::string& name) {
     if (name == "scalar") return Tracer::Scalar;
     return name == "simd" ? Tracer::Simd : Tracer::Packet;
@@ -71,6 +85,7 @@ const char* TracerChoice::name() const {
 }
 
 TracerChoice tracer_choice(const RenderOptions& options) {
+    if (!options.show.empty()) return scalar_walk(options);
     TracerChoice choice;
     choice.is_oracle = options.tracer == "oracle";
     const bool is_double = options.real == "double";

@@ -23,7 +23,8 @@ struct TracerChoice {
 };
 
 /// Reads and checks the flags, before any work. Where no tracer is named, double precision chooses the scalar one, and
-/// everything else packets. Throws InputError (F130 to F133) with one sentence for what is wrong or contradicts itself.
+/// everything else packets; --show asks for
+/// the scalar one. Throws InputError (F130 to F133, F138) with one sentence for what is wrong or contradicts itself.
 [[nodiscard]] TracerChoice tracer_choice(const RenderOptions& options);
 
 }  // namespace enfilade::tools

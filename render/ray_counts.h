@@ -1,0 +1,31 @@
+#pragma once
+// What each pixel's ray costs: pictures of numbers instead of light.
+
+#include <optional>
+#include <vector>
+
+#include "accel/parallel_for.h"
+#include "accel/scene.h"
+#include "render/camera.h"
+
+namespace enfilade::render {
+
+/// A number for each pixel, rows from the top; NaN where there is no ray (where a dollhouse shows paper or a cut wall).
+struct PixelNumbers {
+    int width = 0;
+    int height = 0;
+    std::vector<float> of_pixel;  ///< [width * height]
+};
+
+enum class RayCount {
+    Cells,     ///< entered by the ray through the middle of the pixel
+    SideTests  ///< vertical lines tested in them
+};
+
+/// Counts by the scalar walk in single precision, one ray a pixel. `cut_z`: as TraceOptions::cut_z. `executor`: nullptr
+/// means all cores; the numbers do not depend on it.
+/// \throws InputError (R1, R2, R3) as `trace`
+[[nodiscard]] PixelNumbers count_by_pixel(const accel::SceneView& scene, const Camera& camera, RayCount count,
+                                          std::optional<double> cut_z = {}, const accel::Executor* executor = nullptr);
+
+}  // namespace enfilade::render

@@ -1,0 +1,70 @@
+#include "tools/count_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "plans/number_text.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+constexpr int coarse_side = 160;
+
+/// The same view with at most `coarse_side` pixels a side.
+View coarse(View view) {
+    int& width = view.camera.width;
+    int& height = view.camera.height;
+    const int longer = std::max(width, height);
+    if (longer <= coarse_side) return view;
+    width = std::max(1, width * coarse_side / longer);
+    height = std::max(1, height * coarse_side / longer);
+    return view;
+}
+
+}  // namespace
+
+CountPictures::CountPictures(const accel::SceneView& scene, std::span<const View> views, const std::string& shown,
+                             const accel::Executor& executor)
+    : scene_(scene), shown_(shown) {
+    std::vector<render::PixelNumbers> small;
+    for (const View& view : views) small.push_back(numbers(coarse(view), executor));
+    range_ = range_of(small);
+}
+
+render::PixelNumbers CountPictures::numbers(const View& view, const accel::Executor& executor) const {
+    const render::RayCount count = shown_ == "cells" ? render::RayCount::Cells : render::RayCount::SideTests;
+    return render::count_by_pixel(scene_, view.camera, count, view.cut_z, &executor);
+}
+
+render::Image CountPictures::picture(const View& view, const accel::Executor& executor) {
+    const render::PixelNumbers counted = numbers(view, executor);
+    for (const float value : counted.of_pixel) {
+        if (std::isnan(value)) continue;
+        seen_.least = pixels_ == 0 ? double{value} : std::min(seen_.least, double{value});
+        seen_.most = pixels_ == 0 ? double{value} : std::max(seen_.most, double{value});
+        sum_ += double{value};
+        ++pixels_;
+    }
+    return false_colour(counted, range_, unit());
+}
+
+std::string CountPictures::report() const {
+    if (pixels_ == 0) return "no ray in these pictures";
+    return unit() + ": " + plans::rounded_text(seen_.least, 0) + " to " + plans::rounded_text(seen_.most, 0) + ", " +
+           plans::rounded_text(sum_ / double(pixels_), 2) + " on average";
+}
+
+nlohmann::ordered_json CountPictures::json() const {
+    nlohmann::ordered_json json = {{"shown", shown_}, {"rays", pixels_}};
+    json["least"] = seen_.least;
+    json["most"] = seen_.most;
+    json["mean"] = pixels_ == 0 ? 0 : sum_ / double(pixels_);
+    json["scale"] = {range_.least, range_.most};
+    if (pixels_ == 0) json["least"] = json["most"] = nullptr;
+    return json;
+}
+
+}  // namespace enfilade::tools

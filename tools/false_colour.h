@@ -1,0 +1,31 @@
+#pragma once
+// Numbers of pixels as a picture, with a bar below that says which colour is which number.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+#include "render/ray_counts.h"
+
+namespace enfilade::tools {
+
+/// The numbers that the two ends of the colour scale stand for.
+struct ScaleRange {
+    double least = 0;
+    double most = 1;  ///< what is above has its colour, and the bar says so
+};
+
+/// Least and largest number of all pictures, NaN left out; 0 to 1 where there is none. One more at the top than at the
+/// bottom where all are the same.
+[[nodiscard]] ScaleRange range_of(std::span<const render::PixelNumbers> pictures);
+
+/// The pictures of numbers in colours (render::scale_colour), and over its lowest rows a bar with numbers and
+/// `caption` (digits, "+" and the letters acdeilnprstuxy). Pictures under 80 x 60 pixels have no bar.
+[[nodiscard]] render::Image false_colour(const render::PixelNumbers& numbers, ScaleRange range,
+                                         const std::string& caption);
+
+/// Numbers at which a scale is marked: whole, evenly spaced in steps of 1, 2, 5, 10, 20 ..., at most `count` of them.
+[[nodiscard]] std::vector<int> scale_marks(ScaleRange range, int count);
+
+}  // namespace enfilade::tools
