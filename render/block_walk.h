@@ -53,14 +53,14 @@ struct Crossed {
 ENFILADE_HD std::uint32_t only_accepting_of_64(const SceneArrays& arrays, const RayBlock& block, std::uint32_t r,
                                                std::uint32_t first, std::uint32_t count) {
     const WideFloat dx = wide_of(block.dx + r), minus_dy = wide_of(block.minus_dy + r);
-    const WideFloat moment = wide_of(block.moment + r), least_left = wide_of(block.least_left + r);
+    const WideFloat moment = wide_of(block.moment + r), flip = wide_of(block.zero_flip + r);
     std::uint64_t left = 0;
     for (std::uint32_t i = 0; i < count; i += wide_lines) {
         const WideFloat side = wide_fused(load_wide(arrays.ys + first + i), dx,
                                           wide_fused(load_wide(arrays.xs + first + i), minus_dy, moment));
-        left |= std::uint64_t(wide_more(side, least_left)) << i;
+        left |= std::uint64_t(wide_positive(side, flip)) << i;
     }
-    left = _bzhi_u64(left, count);
+    left = _bzhi_u64(block.zero_mask[r] != 0 ? ~left : left, count);
     const std::uint64_t next = left >> 1 | (left & 1) << (count - 1);
     const std::uint64_t accepting = ~left & next;
     return accepting != 0 && _blsr_u64(accepting) == 0 ? static_cast<std::uint32_t>(_tzcnt_u64(accepting)) : no_section;
@@ -90,7 +90,7 @@ ENFILADE_HD Crossed cross(const accel::SceneView& scene, const SceneArrays& arra
     const WideFloat side = wide_fused(y, dx, wide_fused(x, wide_of(block.minus_dy + r), wide_of(block.moment + r)));
     const WideFloat along = wide_fused(wide_minus(x, wide_of(block.ox + r)), dx,
                                        wide_times(wide_minus(y, wide_of(block.oy + r)), wide_of(block.dy + r)));
-    const std::uint32_t left = _bzhi_u32(wide_more(side, wide_of(block.least_left + r)), count);
+    const std::uint32_t left = _bzhi_u32(wide_positive(side, wide_of(block.zero_flip + r)) ^ block.zero_mask[r], count);
     const std::uint32_t twice = left | left << count;  // line i + count is line i
     const std::uint32_t accepting = _bzhi_u32(~twice & twice >> 1, count);
     if (accepting == 0 || _blsr_u32(accepting) != 0) [[unlikely]]

@@ -34,9 +34,9 @@ ENFILADE_HD WideFloat wide_of(const float* p) { return _mm512_set1_ps(*p); }
 ENFILADE_HD WideFloat wide_fused(WideFloat a, WideFloat b, WideFloat c) { return _mm512_fmadd_ps(a, b, c); }
 ENFILADE_HD WideFloat wide_minus(WideFloat a, WideFloat b) { return _mm512_sub_ps(a, b); }
 ENFILADE_HD WideFloat wide_times(WideFloat a, WideFloat b) { return _mm512_mul_ps(a, b); }
-/// Bit i: a > b in lane i.
-ENFILADE_HD std::uint32_t wide_more(WideFloat a, WideFloat b) {
-    return _cvtmask16_u32(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ));
+/// Bit i: a, its sign exchanged where that of `flip` is minus, is more than 0 in lane i.
+ENFILADE_HD std::uint32_t wide_positive(WideFloat a, WideFloat flip) {
+    return _cvtmask16_u32(_mm512_cmp_ps_mask(_mm512_xor_ps(a, flip), _mm512_setzero_ps(), _CMP_GT_OQ));
 }
 /// Lane i.
 ENFILADE_HD float wide_at(WideFloat a, std::uint32_t i) {
@@ -51,33 +51,28 @@ ENFILADE_HD WideFloat wide_of(const float* p) { return _mm256_broadcast_ss(p); }
 ENFILADE_HD WideFloat wide_fused(WideFloat a, WideFloat b, WideFloat c) { return _mm256_fmadd_ps(a, b, c); }
 ENFILADE_HD WideFloat wide_minus(WideFloat a, WideFloat b) { return _mm256_sub_ps(a, b); }
 ENFILADE_HD WideFloat wide_times(WideFloat a, WideFloat b) { return _mm256_mul_ps(a, b); }
-ENFILADE_HD std::uint32_t wide_more(WideFloat a, WideFloat b) {
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ)));
+ENFILADE_HD std::uint32_t wide_positive(WideFloat a, WideFloat flip) {
+    return static_cast<std::uint32_t>(
+        _mm256_movemask_ps(_mm256_cmp_ps(_mm256_xor_ps(a, flip), _mm256_setzero_ps(), _CMP_GT_OQ)));
 }
 ENFILADE_HD float wide_at(WideFloat a, std::uint32_t i) {
     return _mm256_cvtss_f32(_mm256_permutevar8x32_ps(a, _mm256_set1_epi32(static_cast<int>(i))));
 }
 #endif
 
-/// What a side exceeds where its line is left: 0, or where zero counts as left the negative number nearest to it.
-template <class T>
-ENFILADE_HD float least_left_of(const Ray<T>& ray) {
-    return ray.zero_mask != 0 ? -0x1p-149f : 0.0f;
-}
-
 /// Several lines an instruction. May read up to 64 bytes behind the last line.
 ENFILADE_HD std::uint32_t left_bits(const Ray<float>& ray, const float* xs, const float* ys, std::uint32_t count) {
-    const float minus_dy = -ray.direction.y, least_left = least_left_of(ray);
+    const float minus_dy = -ray.direction.y, flip = ray.zero_mask != 0 ? -0.0f : 0.0f;
     const WideFloat dx = wide_of(&ray.direction.x), dy = wide_of(&minus_dy);
-    const WideFloat moment = wide_of(&ray.moment), least = wide_of(&least_left);
+    const WideFloat moment = wide_of(&ray.moment), flips = wide_of(&flip);
     std::uint32_t bits = 0;
     std::uint32_t i = 0;
     do {
         const WideFloat side = wide_fused(load_wide(ys + i), dx, wide_fused(load_wide(xs + i), dy, moment));
-        bits |= wide_more(side, least) << i;
+        bits |= wide_positive(side, flips) << i;
         i += wide_lines;
     } while (i < count);
-    return bits;
+    return bits ^ ray.zero_mask;
 }
 #endif
 

@@ -24,8 +24,9 @@ struct alignas(64) RayBlock {
     float dx[block_rays], dy[block_rays], dz[block_rays];
     float minus_dy[block_rays];
     float moment[block_rays];
-    float least_left[block_rays];       ///< a side is left where it is more: 0, or just below it where 0 counts as left
-    float flat2[block_rays];            ///< dx dx + dy dy
+    std::uint32_t zero_mask[block_rays];
+    float zero_flip[block_rays];  ///< -0.0 where a zero side counts as left, else 0: by its sign sides are exchanged
+    float flat2[block_rays];      ///< dx dx + dy dy
     std::uint32_t upward[block_rays];   ///< all ones where dz > 0: the level that the ray may meet is the ceiling
     std::uint32_t sloping[block_rays];  ///< all ones but where dz = 0: it meets no level
     std::uint32_t start[block_rays];    ///< cell that holds the origin
@@ -49,12 +50,8 @@ struct alignas(64) RayBlock {
     std::uint32_t rest_count = 0;
 
     [[nodiscard]] ENFILADE_HD Ray<float> ray(std::uint32_t r) const {
-        const bool zero_is_left = least_left[r] < 0;
-        return {{ox[r], oy[r], oz[r]},
-                {dx[r], dy[r], dz[r]},
-                moment[r],
-                zero_is_left ? -1.0f : 1.0f,
-                zero_is_left ? ~0u : 0u};
+        return {
+            {ox[r], oy[r], oz[r]}, {dx[r], dy[r], dz[r]}, moment[r], zero_mask[r] != 0 ? -1.0f : 1.0f, zero_mask[r]};
     }
 
     ENFILADE_HD void set(std::uint32_t r, Vec<float> origin, Vec<float> direction, std::uint32_t start_cell) {
@@ -72,7 +69,8 @@ struct alignas(64) RayBlock {
         for (std::uint32_t r = 0; r < count; ++r) {
             moment[r] = difference_of_products(ox[r], dy[r], oy[r], dx[r]);
             minus_dy[r] = -dy[r];
-            least_left[r] = zero_side_is_positive(dx[r], dy[r]) ? -0x1p-149f : 0.0f;
+            zero_mask[r] = zero_side_is_positive(dx[r], dy[r]) ? ~0u : 0u;
+            zero_flip[r] = zero_mask[r] != 0 ? -0.0f : 0.0f;
             flat2[r] = dx[r] * dx[r] + dy[r] * dy[r];
             upward[r] = dz[r] > 0 ? ~0u : 0u;
             sloping[r] = dz[r] != 0 ? ~0u : 0u;
