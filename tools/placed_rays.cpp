@@ -49,7 +49,7 @@ void place_outside_cells(const accel::SceneView& scene, PlacedRay& ray) {
         ray.cell = entry.cell;
         ray.advance = entry.distance;
     } else if (entry.depth <= start_tolerance) {
-        ray.start = Start::Cell;
+        ray.start = Start::Face;
         ray.cell = entry.cell;
     }
 }

@@ -14,6 +14,7 @@ namespace enfilade::tools {
 /// Where a ray's walk begins.
 enum class Start : std::uint8_t {
     Cell,     ///< in the cell that is named
+    Face,     ///< on a face of the cell that is named, or up to `start_tolerance` behind it
     Site,     ///< beyond the site: `advance` metres ahead it enters the cell that is named
     Nowhere,  ///< beyond the site, and it never enters it
     Wall,     ///< in a solid

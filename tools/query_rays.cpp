@@ -224,6 +224,7 @@ void pass_block(const accel::SceneView& scene, const QueryOptions& options, Pass
     std::vector<render::RayQuery> queries;
     queries.reserve(block.work.placed.size());
     for (const PlacedRay& ray : block.work.placed) {
+        // From behind a face the way begins in the solid, however short, so that reversed rays pass the same.
         const bool starts_inside = ray.start == Start::Cell;
         // What is no ray here (beyond 1e12 metres) is none there.
         const double limit = ray.start == Start::Refused ? std::nan("") : ray.max_distance;
