@@ -34,9 +34,8 @@ void bench_stream(Bench& bench, const TracedBuilding& building, const OwnedRays&
     std::vector<float> distance(rays.size());
     std::vector<accel::SourceFaceId> face(rays.size());
     const render::HitColumns hits = {distance, face, {}, {}};
-    const int rounds = bench.quick() ? 3 : 9;
     const accel::SerialExecutor one;
-    const render::EmbreeWay way = fastest_way(render::embree_ways, bench.quick() ? 1 : 2, [&](render::EmbreeWay asked) {
+    const render::EmbreeWay way = fastest_way(render::embree_ways, 1, [&](render::EmbreeWay asked) {
         building.embree.nearest(rays.view(), hits, asked, one, skin);
     });
     for (const Cores& cores : one_and_all_cores()) {
@@ -44,6 +43,7 @@ void bench_stream(Bench& bench, const TracedBuilding& building, const OwnedRays&
         const std::size_t embree = competitors.size();
         competitors.push_back({"Embree rtcIntersect" + text(way),
                                [&] { building.embree.nearest(rays.view(), hits, way, *cores.executor, skin); }});
+        const int rounds = bench.quick() ? 3 : cores.threads == 1 ? 9 : 5;
         const RayContest contest(rounds, double(rays.size()), std::move(competitors), cores.clock);
         const std::size_t best = contest.fastest(0, embree);
         for (std::size_t k = 0; k < embree; ++k) {

@@ -28,45 +28,70 @@ BestWays best_ways(const Bench& bench, const TracedBuilding& building, const std
             fastest([](render::EmbreeWay way) { return way.lanes > 1 && way.coherent; }, bench.quick() ? 2 : 4)};
 }
 
+/// The pictures of all views by whoever draws them, on some cores.
+class Pictures {
+public:
+    Pictures(const TracedBuilding& building, const std::vector<PreparedView>& views, const Cores& cores)
+        : building_(&building), views_(&views), cores_(&cores) {}
+
+    [[nodiscard]] Competitor ours(render::Tracer tracer) {
+        return {name_of(tracer), [this, tracer] {
+                    for (const PreparedView& view : *views_)
+                        render::trace_lambert(building_->scene.view(), view.frame, view.start, {.tracer = tracer},
+                                              *cores_->executor, image_);
+                }};
+    }
+    [[nodiscard]] Competitor embree(render::EmbreeWay way) {
+        return {"Embree rtcIntersect" + text(way), [this, way] {
+                    for (const PreparedView& view : *views_)
+                        building_->embree.trace_lambert(view.frame, way, *cores_->executor, image_);
+                }};
+    }
+    [[nodiscard]] Competitor limit() {
+        return {"fill limit", [this] {
+                    for (const PreparedView& view : *views_)
+                        fill_limit(building_->scene.view(), view, *cores_->executor, image_);
+                }};
+    }
+    [[nodiscard]] RayContest contest(int rounds, std::vector<Competitor> competitors) const {
+        return {rounds, double(side) * side * double(views_->size()), std::move(competitors), cores_->clock};
+    }
+    [[nodiscard]] BenchRow row(const RayContest& contest, const std::string& who, std::size_t k, std::size_t reference,
+                               double goal) const {
+        BenchRow row = contest.row(who + ", primary rays and Lambert", k, reference);
+        row.scene = building_->name;
+        row.threads = cores_->threads;
+        row.goal = ratio_at_least(goal);
+        return row;
+    }
+
+private:
+    const TracedBuilding* building_;
+    const std::vector<PreparedView>* views_;
+    const Cores* cores_;
+    render::Framebuffer image_{side, side};
+};
+
 }  // namespace
 
 void bench_primary(Bench& bench, const TracedBuilding& building) {
     const accel::SceneView& scene = building.scene.view();
     const std::vector<PreparedView> views = prepared(scene, floor_views(scene, view_count, side));
     const BestWays best = best_ways(bench, building, views);
-    render::Framebuffer image(side, side);
     for (const Cores& cores : one_and_all_cores()) {
-        std::vector<Competitor> competitors;
-        for (const render::Tracer tracer : tracers)
-            competitors.push_back({name_of(tracer), [&, tracer] {
-                                       for (const PreparedView& view : views)
-                                           render::trace_lambert(scene, view.frame, view.start, {.tracer = tracer},
-                                                                 *cores.executor, image);
-                                   }});
-        for (const render::EmbreeWay way : {best.single, best.packets})
-            competitors.push_back({"Embree rtcIntersect" + text(way), [&, way] {
-                                       for (const PreparedView& view : views)
-                                           building.embree.trace_lambert(view.frame, way, *cores.executor, image);
-                                   }});
-        if (has_fill_limit())
-            competitors.push_back({"fill limit", [&] {
-                                       for (const PreparedView& view : views)
-                                           fill_limit(scene, view, *cores.executor, image);
-                                   }});
-        const RayContest contest(bench.quick() ? 3 : 9, double(side) * side * double(view_count),
-                                 std::move(competitors), cores.clock);
-        const auto add = [&](const std::string& who, std::size_t k, std::size_t reference, double goal) {
-            BenchRow row = contest.row(who + ", primary rays and Lambert", k, reference);
-            row.scene = building.name;
-            row.threads = cores.threads;
-            row.goal = ratio_at_least(goal);
-            bench.add(std::move(row));
-        };
-        const std::size_t single = 3, packets = 4, limit = 5;
-        add("scalar", 0, single, 8);
-        add("simd", 1, packets, 8);
-        add("packet", 2, packets, 30);
-        if (has_fill_limit()) add("packet against the fill limit", 2, limit, 0.6);
+        Pictures pictures(building, views, cores);
+        // Single rays take ten times as long as all others together: they have a contest of their own.
+        const int rounds = bench.quick() ? 1 : 3;
+        const RayContest slow =
+            pictures.contest(rounds, {pictures.ours(render::Tracer::Scalar), pictures.embree(best.single)});
+        bench.add(pictures.row(slow, "scalar", 0, 1, 8));
+        std::vector<Competitor> competitors = {pictures.ours(render::Tracer::Simd),
+                                               pictures.ours(render::Tracer::Packet), pictures.embree(best.packets)};
+        if (has_fill_limit()) competitors.push_back(pictures.limit());
+        const RayContest fast = pictures.contest(5 * rounds, std::move(competitors));
+        bench.add(pictures.row(fast, "simd", 0, 2, 8));
+        bench.add(pictures.row(fast, "packet", 1, 2, 30));
+        if (has_fill_limit()) bench.add(pictures.row(fast, "packet against the fill limit", 1, 3, 0.6));
     }
 }
 

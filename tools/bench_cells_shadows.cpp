@@ -38,7 +38,7 @@ void bench_shadows(Bench& bench, const TracedBuilding& building) {
     add_lamp_rows(bench, building, lamps, seen.points.x.size(), segments.size());
     std::vector<std::uint8_t> ours(segments.size()), others(segments.size());
     const accel::SerialExecutor one;
-    const render::EmbreeWay way = fastest_way(render::embree_ways, bench.quick() ? 1 : 2, [&](render::EmbreeWay asked) {
+    const render::EmbreeWay way = fastest_way(render::embree_ways, 1, [&](render::EmbreeWay asked) {
         building.embree.visible(segments.view(), others, asked, one, skin);
     });
     for (const Cores& cores : one_and_all_cores()) {
@@ -50,7 +50,8 @@ void bench_shadows(Bench& bench, const TracedBuilding& building) {
                                    }});
         competitors.push_back({"Embree rtcOccluded" + text(way),
                                [&] { building.embree.visible(segments.view(), others, way, *cores.executor, skin); }});
-        const RayContest contest(bench.quick() ? 3 : 9, double(segments.size()), std::move(competitors), cores.clock);
+        const int rounds = bench.quick() ? 3 : cores.threads == 1 ? 9 : 5;
+        const RayContest contest(rounds, double(segments.size()), std::move(competitors), cores.clock);
         for (std::size_t k = 0; k < 2; ++k) {
             BenchRow row = contest.row(contest.name(k) + ", shadow rays to points", k, 2);
             row.scene = building.name;
