@@ -22,7 +22,7 @@ struct BeamOptions {
     std::span<const std::uint8_t> closed = {};
     /// Once this many beams have come through a portal from one side, the next ones are widened to cover each other
     /// instead of being followed one by one: the work is linear in what is visible. 0: never.
-    std::uint32_t max_beams = 16;
+    std::uint32_t max_beams = 64;
     std::uint32_t max_depth = UINT32_MAX;  ///< portals that are crossed at most
 };
 
