@@ -16,6 +16,7 @@
 #include "tools/report/cut_sheet.h"
 #include "tools/scene_summary.h"
 #include "tools/version.h"
+#include "tools/visible_rooms.h"
 
 namespace enfilade::tools {
 
@@ -211,12 +212,19 @@ int run_info(const InfoOptions& options, const Console& console) {
     if (!options.svg.empty() && options.svg.extension() != ".svg")
         throw InputError("F115", options.svg.string(), "The drawing is written as .svg: end its name so.");
     const accel::Scene scene = accel::open(options.scene);
+    std::optional<RoomSight> sight;
+    if (!options.visible_from.empty())
+        sight = visible_from(scene.view(), room_by_name(scene.view(), options.visible_from));
     const Info info = gather(scene);
     if (!options.svg.empty()) draw(options, scene, info);
     const std::string file = options.scene.string();
-    console.print(console.json()
-                      ? info_json(file, scene, info).dump(2, ' ', false, Json::error_handler_t::replace) + '\n'
-                      : info_text(file, scene, info));
+    if (console.json()) {
+        Json json = info_json(file, scene, info);
+        if (sight) json["visible_from"] = sight_json(scene.view(), *sight);
+        console.print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    } else {
+        console.print(sight ? sight_text(scene.view(), *sight) : info_text(file, scene, info));
+    }
     return exit_ok;
 }
 

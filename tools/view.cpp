@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "render/trace_rays.h"
 #include "tools/console.h"
-#include "tools/suggestion.h"
+#include "tools/visible_rooms.h"
 
 namespace enfilade::tools {
 
@@ -242,25 +242,13 @@ View named_view(const accel::SceneView& scene, const std::string& text, int widt
 }
 
 View room_view(const accel::SceneView& scene, const std::string& room, int width, int height) {
-    std::vector<std::string> known;
-    std::optional<accel::SpaceId> found;
-    for (std::size_t s = 0; s < scene.spaces.size(); ++s) {
-        const accel::Space& space = scene.spaces[s];
-        if (space.label != Label::Room) continue;
-        for (const accel::TextId text : {space.name, space.id}) known.emplace_back(scene.string(text));
-        if (!found && (scene.string(space.name) == room || scene.string(space.id) == room)) found = accel::SpaceId(s);
-    }
-    if (!found)
-        throw InputError("F109", "",
-                         "There is no room \"" + room + '"' + suggestion(room, known) +
-                             ": \"enfilade info SCENE.enf\" lists the rooms.");
-
-    const Box box = box_of(scene, [&](const accel::Cell& cell) { return cell.space == *found; });
+    const accel::SpaceId found = room_by_name(scene, room);
+    const Box box = box_of(scene, [&](const accel::Cell& cell) { return cell.space == found; });
     View best;
     double best_depth = -1;
     for (std::size_t c = 0; c < scene.cells.size(); ++c) {
         const accel::Cell& cell = scene.cells[c];
-        if (cell.space != *found) continue;
+        if (cell.space != found) continue;
         Vec3d middle = {0, 0, 0};
         for (std::uint32_t s = cell.first_section; s < cell.first_section + cell.section_count; ++s)
             middle = middle + (1.0 / cell.section_count) * Vec3d{scene.section_x[s], scene.section_y[s], 0};

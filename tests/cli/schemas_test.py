@@ -67,6 +67,14 @@ class Schemas(unittest.TestCase):
         broken["rooms"][0]["cut_area_m2"] = -1
         self.assertFalse(validator("info").is_valid(broken))
 
+    def test_info_of_a_room_and_what_it_sees(self):
+        rooms = json.loads(run("info", self.folder / "scene.enf", "--json"))["rooms"]
+        info = json.loads(run("info", self.folder / "scene.enf", "--json", "--visible-from", rooms[0]["id"]))
+        validator("info").validate(info)
+        self.assertGreater(len(info["visible_from"]["spaces"]), 1)
+        info["visible_from"]["spaces"][0]["view_share"] = 1.5
+        self.assertFalse(validator("info").is_valid(info))
+
     def test_bench(self):
         run("bench", "gmap", "--quick", "--json", self.folder / "rows.json")
         rows = json.loads((self.folder / "rows.json").read_text())
