@@ -49,7 +49,7 @@ struct LineSides {
         for (const Corners4::Line& corner : corners.line) {
             const F side = fused_lanes(y, F(corner.dx), fused_lanes(x, F(corner.minus_dy), F(corner.moment)));
             all_left &= is_less(noise, side);
-            some_left |= is_less(-noise, side);
+            some_left |= is_at_most(-noise, side);  // zero, where eye and line are at the origin
         }
     }
 };
