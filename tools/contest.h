@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,11 +52,12 @@ public:
     }
     /// How many times faster k is than `reference`: median of the ratios within the rounds.
     [[nodiscard]] double faster(std::size_t k, std::size_t reference) const { return median(ratios(k, reference)); }
-    /// How much that differs between rounds: half of what lies between the quartiles, over the median.
-    [[nodiscard]] double spread(std::size_t k, std::size_t reference) const {
+    /// How much that differs between rounds: half of what lies between the quartiles, over the median. Nothing where
+    /// there were fewer than three.
+    [[nodiscard]] std::optional<double> spread(std::size_t k, std::size_t reference) const {
         std::vector<double> sorted = ratios(k, reference);
+        if (sorted.size() < 3) return std::nullopt;
         std::sort(sorted.begin(), sorted.end());
-        if (sorted.empty()) return 0;
         const std::size_t quarter = sorted.size() / 4;
         return (sorted[sorted.size() - 1 - quarter] - sorted[quarter]) / 2 / median(sorted);
     }

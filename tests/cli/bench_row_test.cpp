@@ -81,7 +81,8 @@ TEST(Contest, RunsAllInTurnAndComparesThemWithinRounds) {
     EXPECT_NEAR(contest.faster(0, 1) * contest.faster(1, 0), 1, 1e-9);
     EXPECT_EQ(contest.faster(0, 0), 1);
     EXPECT_EQ(contest.spread(0, 0), 0);
-    EXPECT_GE(contest.spread(0, 1), 0);
+    EXPECT_GE(contest.spread(0, 1).value(), 0);
+    EXPECT_FALSE(Contest(2, competitors).spread(0, 1).has_value());
 }
 
 }  // namespace
