@@ -49,9 +49,11 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/queue-inl.h"
 //
+#include "render/lanes/stream-inl.h"
+//
 #include "render/lanes/nearest-inl.h"
 //
-#include "render/lanes/stream-inl.h"
+#include "render/lanes/sight-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

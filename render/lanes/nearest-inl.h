@@ -6,37 +6,12 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
-/// Rays that are walked one by one, by the scalar kernel: kept until they are worth a call.
-template <class Job>
-class Alone {
-public:
-    Alone(const Job& job, void (*kernel)(const Job&)) : job_(job), kernel_(kernel) {}
-    HWY_INLINE void add(std::uint64_t ray) {
-        rays_[count_++] = static_cast<std::uint32_t>(ray);
-        if (HWY_UNLIKELY(count_ == most)) flush();
-    }
-    HWY_NOINLINE void flush() {
-        Job part = job_;
-        part.order = rays_;
-        part.begin = 0;
-        part.end = count_;
-        if (count_ > 0) kernel_(part);
-        count_ = 0;
-    }
-
-private:
-    static constexpr std::uint32_t most = 256;
-    const Job& job_;
-    void (*kernel_)(const Job&);
-    std::uint32_t count_ = 0;
-    std::uint32_t rays_[most];
-};
-
 template <class Events>
 class NearestRays {
 public:
     NearestRays(const detail::StreamJob& job, Events& events)
         : job_(job),
+          columns_{job.order},
           scene_(*job.scene),
           events_(events),
           noise_(noise_of(extent_of(scene_))),
@@ -48,17 +23,20 @@ public:
         for (first_ = job_.begin; first_ < job_.end; first_ += most) {
             const std::uint64_t end = job_.end - first_ < most ? job_.end : first_ + most;
             if (!queues_.exist()) {
-                for (std::uint64_t k = first_; k < end; ++k) alone_.add(ray_at(k));
+                for (std::uint64_t k = first_; k < end; ++k) alone_.add(columns_.ray_at(k));
                 continue;
             }
             for (std::uint64_t k = first_; k < end; k += lane_count) {
                 begin(k, end - k < lane_count ? static_cast<std::uint32_t>(end - k) : lane_count);
-                serve_full();
+                queues_.serve_full(*this);
             }
-            serve_all();
+            queues_.serve_all(*this);
         }
         alone_.flush();
     }
+
+    /// Rays that waited leave their cell.
+    HWY_INLINE void step(const Waiting& rays, std::uint32_t cell, Mask mask) { step(rays, cell, mask, {false, 0}); }
 
 private:
     /// Where answers go: to neighbours in the stream, or to each ray's place.
@@ -66,27 +44,6 @@ private:
         bool are_neighbours;
         std::uint64_t first;
     };
-
-    [[nodiscard]] HWY_INLINE std::uint64_t ray_at(std::uint64_t k) const {
-        return job_.order != nullptr ? job_.order[k] : k;
-    }
-    template <class T>
-    HWY_INLINE void fetch(const T* column, std::uint64_t k, std::uint32_t count, T* lanes) const {
-        for (std::uint32_t i = 0; i < lane_count; ++i) lanes[i] = column[ray_at(k + (i < count ? i : 0))];
-    }
-    HWY_INLINE V column(const float* values, std::uint64_t k, std::uint32_t count) const {
-        if (HWY_LIKELY(job_.order == nullptr && count == lane_count)) return hn::LoadU(D(), values + k);
-        HWY_ALIGN float lanes[lane_count];
-        fetch(values, k, count, lanes);
-        return hn::Load(D(), lanes);
-    }
-    HWY_INLINE Numbers cells_at(std::uint64_t k, std::uint32_t count) const {
-        const auto* cells = reinterpret_cast<const std::int32_t*>(job_.start);
-        if (HWY_LIKELY(job_.order == nullptr && count == lane_count)) return hn::LoadU(DI(), cells + k);
-        HWY_ALIGN std::int32_t lanes[lane_count];
-        fetch(cells, k, count, lanes);
-        return hn::Load(DI(), lanes);
-    }
 
     /// Directions of which no product is lost, and origins about the scene: the others go alone. NaN fails.
     HWY_INLINE Mask are_plain(const Waiting& rays) const {
@@ -102,28 +59,28 @@ private:
 
     HWY_INLINE void begin(std::uint64_t k, std::uint32_t count) {
         Waiting rays;
-        rays.ox = column(job_.origin[0], k, count);
-        rays.oy = column(job_.origin[1], k, count);
-        rays.oz = column(job_.origin[2], k, count);
-        rays.dx = column(job_.direction[0], k, count);
-        rays.dy = column(job_.direction[1], k, count);
-        rays.dz = column(job_.direction[2], k, count);
+        rays.ox = columns_.column(job_.origin[0], k, count);
+        rays.oy = columns_.column(job_.origin[1], k, count);
+        rays.oz = columns_.column(job_.origin[2], k, count);
+        rays.dx = columns_.column(job_.direction[0], k, count);
+        rays.dy = columns_.column(job_.direction[1], k, count);
+        rays.dz = columns_.column(job_.direction[2], k, count);
         rays.id = hn::Iota(DI(), static_cast<std::int32_t>(k - first_));
         rays.limit = hn::Zero(D());
         const Mask present = hn::FirstN(D(), count);
         Mask plain = hn::And(present, are_plain(rays));
         if (job_.max_distance != nullptr) {
-            const V distance = column(job_.max_distance, k, count);
+            const V distance = columns_.column(job_.max_distance, k, count);
             const V large = hn::Set(D(), 1e30f);
             plain = hn::And(plain, hn::Le(hn::Abs(distance), large));
             rays.limit = hn::Div(distance, metres_of(rays));
         }
-        const Numbers cells = cells_at(k, count);
+        const Numbers cells = columns_.cells(job_.start, k, count);
         const std::uint32_t cell = static_cast<std::uint32_t>(hn::GetLane(cells));
         if (HWY_UNLIKELY(!hn::AllTrue(D(), plain))) leave_alone(rays.id, bits_of(hn::AndNot(plain, present)));
         const Mask other = hn::AndNot(as_mask(hn::Eq(cells, hn::Set(DI(), static_cast<std::int32_t>(cell)))), plain);
         if (hn::AllFalse(D(), other)) {
-            step(rays, cell, plain, {job_.order == nullptr && count == lane_count, k});
+            step(rays, cell, plain, {columns_.are_neighbours(count), k});
         } else {
             push(rays, cells, bits_of(plain));
         }
@@ -140,33 +97,12 @@ private:
         for (; lanes != 0; lanes &= lanes - 1) alone_.add(ray_of(id[lowest_bit(lanes)]));
     }
     [[nodiscard]] HWY_INLINE std::uint64_t ray_of(std::int32_t id) const {
-        return ray_at(first_ + (static_cast<std::uint32_t>(id) & ((1u << Queues::ray_bits) - 1)));
+        return columns_.ray_at(first_ + (static_cast<std::uint32_t>(id) & ((1u << Queues::ray_bits) - 1)));
     }
 
     HWY_INLINE void push(const Waiting& rays, Numbers cells, Bits lanes) {
         const Bits refused = queues_.push(rays, cells, lanes);
         if (HWY_UNLIKELY(refused != 0)) leave_alone(rays.id, refused);
-    }
-
-    HWY_INLINE void serve(std::uint32_t queue) {
-        Waiting rays;
-        const std::uint32_t cell = queues_.cell(queue);
-        const std::uint32_t count = queues_.take(queue, rays);
-        step(rays, cell, hn::FirstN(D(), count), {false, 0});
-    }
-    HWY_INLINE void serve_full() {
-        for (std::uint32_t s = queues_.next_full(); s != Queues::slots; s = queues_.next_full()) serve(s);
-    }
-    void serve_all() {
-        for (bool any = true; any;) {
-            any = false;
-            for (std::uint32_t s = 0; s < Queues::slots; ++s) {
-                if (queues_.size(s) == 0) continue;
-                any = true;
-                serve(s);
-                serve_full();
-            }
-        }
     }
 
     /// Rays of the mask leave their cell.
@@ -260,6 +196,7 @@ private:
     }
 
     const detail::StreamJob job_;
+    const Columns columns_;
     const accel::SceneView scene_;
     Events& events_;
     const float noise_, farthest_;

@@ -59,12 +59,33 @@ public:
         return refused;
     }
 
-    /// A queue that fills a register; `slots` if there is none.
-    [[nodiscard]] HWY_INLINE std::uint32_t next_full() { return ready_count_ > 0 ? ready_[--ready_count_] : slots; }
+    /// Calls walk.step(rays, cell, mask) for the rays of queues that fill a register, until there is none.
+    template <class Walk>
+    HWY_INLINE void serve_full(Walk& walk) {
+        while (ready_count_ > 0) serve(ready_[--ready_count_], walk);
+    }
+    /// The same until nobody waits.
+    template <class Walk>
+    HWY_NOINLINE void serve_all(Walk& walk) {
+        for (bool any = true; any;) {
+            any = false;
+            for (std::uint32_t s = 0; s < slots; ++s) {
+                if (memory_->slot[s].count == 0) continue;
+                any = true;
+                serve(s, walk);
+                serve_full(walk);
+            }
+        }
+    }
 
-    [[nodiscard]] HWY_INLINE std::uint32_t size(std::uint32_t s) const { return memory_->slot[s].count; }
-    [[nodiscard]] HWY_INLINE std::uint32_t cell(std::uint32_t s) const { return memory_->slot[s].cell; }
-
+private:
+    template <class Walk>
+    HWY_INLINE void serve(std::uint32_t s, Walk& walk) {
+        Waiting rays;
+        const std::uint32_t cell = memory_->slot[s].cell;
+        const std::uint32_t count = take(s, rays);
+        walk.step(rays, cell, hn::FirstN(D(), count));
+    }
     /// Takes the last ones of a queue, as many as a register holds. Returns how many.
     HWY_INLINE std::uint32_t take(std::uint32_t s, Waiting& rays) {
         Slot& slot = memory_->slot[s];
@@ -78,7 +99,6 @@ public:
         return taken;
     }
 
-private:
     static constexpr std::uint32_t capacity = 3 * lane_count;
     struct Slot {
         std::uint32_t cell, count;
