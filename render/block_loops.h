@@ -1,5 +1,6 @@
 // The loops over blocks of rays: what kernel_loops.h does ray by ray, for instruction sets that test all lines of a
-// cell at once; the same numbers bit for bit. Included by kernel_loops.h.
+// cell at once; the same numbers bit for bit. Included by kernel_loops.h alone, once for each set: no include guard is
+// needed.
 
 #include "render/block_walk.h"
 #include "render/framebuffer.h"

@@ -1,4 +1,4 @@
-// The loops over blocks of rays of a stream (ray_stream.h); as block_loops.h.
+// The loops over blocks of rays of a stream (ray_stream.h); no include guard is needed, as in block_loops.h.
 
 #include "render/block_walk.h"
 #include "render/kernel.h"
