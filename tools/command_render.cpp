@@ -191,11 +191,18 @@ void add_camera(nlohmann::ordered_json& json, const Shot& shot, const std::array
     json["seconds"] = shot.seconds;
 }
 
+/// Lanes and packets are for one ray a pixel, lit by the lamp at the eye; all else goes ray by ray (render/trace.h).
+const char* walked_by(const RenderOptions& options, const TracerChoice& choice, const Pictures& made) {
+    const bool is_plain = options.shading == "lambert" && options.samples == 1 && !made.shots.front().view.cut_z;
+    return is_plain || choice.is_oracle ? choice.name() : "scalar";
+}
+
 nlohmann::ordered_json render_json(const RenderOptions& options, const TracerChoice& choice, const Pictures& made) {
     nlohmann::ordered_json json = {
         {"command", "render"}, {"input", options.scene.string()}, {"output", options.output.string()}};
     json["tracer"] = choice.name();
     if (!made.counted.empty()) json["counts"] = made.counts;
+    if (made.counted.empty()) json["walked_by"] = walked_by(options, choice, made);
     json["real"] = choice.precision == render::Precision::Double ? "double" : "float";
     if (choice.has_packets())
         json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};

@@ -242,7 +242,9 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(
         command, "--tracer", options.tracer, "NAME",
         "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
-        "of the picture; oracle: every face against every ray, slow (packet)")
+        "of the picture; oracle: every face against every ray, slow; simd and packet are for --shading lambert "
+        "--samples 1 "
+        "of a building not cut open, other pictures go ray by ray (packet)")
         ->check(CLI::IsMember({"scalar", "simd", "packet", "oracle"}));
     add_value(
         command, "--real", options.real, "TYPE",
@@ -271,11 +273,11 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
 }
 
 void add_trace(CLI::App& app, Invocation& invocation, TraceCommandOptions& options) {
-    CLI::App* command = add_command(
-        app, invocation, options, "trace", "Answer many rays: what each meets, whether it is blocked, all it passes.",
-        "  enfilade trace house.enf rays.npy -o hits.npy\n"
-        "  enfilade trace house.enf links.npy -o passages.npy --query all",
-        run_trace);
+    CLI::App* command = add_command(app, invocation, options, "trace",
+                                    "Answer many rays: what each meets, whether it is blocked, all it passes.",
+                                    "  enfilade trace house.enf rays.npy -o hits.npy\n"
+                                    "  enfilade trace house.enf links.npy -o passages.npy --query all",
+                                    run_trace);
     add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
     add_positional(command, "RAYS", options.rays,
                    "rays as numpy saves them (.npy): (n, 6) numbers, origin and direction in metres of the plan, or "

@@ -1,6 +1,7 @@
 // Which tracer makes a picture, and what it says about its rays.
 
 #include "render/image_file.h"
+#include "render/kernel.h"
 #include "tests/cli/program.h"
 
 namespace enfilade::test {
@@ -11,7 +12,7 @@ using nlohmann::json;
 class RenderFlags : public OfficeTest {
 protected:
     /// Renders a small picture from inside the first room to `picture`.
-    static Outcome render(const std::string& picture, const std::vector<std::string>& words) {
+    static Outcome picture_of(const std::string& picture, const std::vector<std::string>& words) {
         const json info = json::parse(run({"info", "office.enf", "--json"}).out);
         std::vector<std::string> all = {"render", "office.enf",           "-o",     picture,
                                         "--room", info["rooms"][0]["id"], "--size", "48x32"};
@@ -21,7 +22,7 @@ protected:
 };
 
 TEST_F(RenderFlags, PacketsAreTheDefault) {
-    const Outcome outcome = render("default.png", {"--json"});
+    const Outcome outcome = picture_of("default.png", {"--json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json said = json::parse(outcome.out);
     EXPECT_EQ(said["tracer"], "packet");
@@ -29,15 +30,17 @@ TEST_F(RenderFlags, PacketsAreTheDefault) {
     EXPECT_EQ(said["packets"], json({{"largest", 64}, {"smallest", 8}}));
     EXPECT_EQ(said["mirror_floor"], 0);
     EXPECT_EQ(said["shading"], "look");
+    EXPECT_EQ(said["walked_by"], "scalar") << "rays of ambient light go one by one, and so do those they start from";
 }
 
 TEST_F(RenderFlags, EveryTracerMakesThePicture) {
     for (const char* tracer : {"scalar", "simd", "packet", "oracle"}) {
         const std::string picture = std::string(tracer) + ".png";
         const Outcome outcome =
-            render(picture, {"--tracer", tracer, "--shading", "lambert", "--samples", "1", "--json"});
+            picture_of(picture, {"--tracer", tracer, "--shading", "lambert", "--samples", "1", "--json"});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(json::parse(outcome.out)["tracer"], tracer);
+        EXPECT_EQ(json::parse(outcome.out)["walked_by"], tracer);
         const render::Image image = render::read_image(folder() / picture);
         EXPECT_EQ(image.width, 48);
         // Lambert's lamp lights every wall of the room: no black picture, whoever traces it.
@@ -47,8 +50,18 @@ TEST_F(RenderFlags, EveryTracerMakesThePicture) {
     }
 }
 
+TEST_F(RenderFlags, PacketsFillMostOfAPlainPicture) {
+    if (enfilade::render::detail::lane_kernels() == nullptr) GTEST_SKIP() << "this build has no Highway";
+    const std::vector<std::string> plain = {"--shading", "lambert", "--samples", "1", "--json"};
+    const json counts = json::parse(picture_of("plain.png", plain).out)["statistics"];
+    EXPECT_GT(counts["packets"], 0);
+    EXPECT_GT(counts["pixels_filled_whole"], 0);
+    EXPECT_LE(counts["pixels_filled_whole"], 48 * 32);
+    EXPECT_EQ(counts["leaks"], 0);
+}
+
 TEST_F(RenderFlags, DoublePrecisionChoosesTheScalarTracer) {
-    const Outcome outcome = render("double.png", {"--real", "double", "--json"});
+    const Outcome outcome = picture_of("double.png", {"--real", "double", "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json::parse(outcome.out)["tracer"], "scalar");
     EXPECT_EQ(json::parse(outcome.out)["real"], "double");
@@ -96,20 +109,20 @@ TEST_F(RenderFlags, AMirrorTakesAShareOrTheUsualOne) {
              {{"--mirror-floor"}, 0.25}, {{"--mirror-floor", "0.5"}, 0.5}, {{"--mirror-floor", "0"}, 0}}) {
         std::vector<std::string> all = words;
         all.emplace_back("--json");
-        const Outcome outcome = render("mirror.png", all);
+        const Outcome outcome = picture_of("mirror.png", all);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(json::parse(outcome.out)["mirror_floor"], share);
     }
 }
 
 TEST_F(RenderFlags, SaysWhatHappenedToTheRays) {
-    const Outcome outcome = render("stats.png", {"--tracer", "scalar", "--stats", "--samples", "1"});
+    const Outcome outcome = picture_of("stats.png", {"--tracer", "scalar", "--stats", "--samples", "1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const char* part : {"rays walked", "cells entered", "sides tested", "recoveries", "leaks"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
-    const Outcome silent = render("stats.png", {"--quiet"});
+    const Outcome silent = picture_of("stats.png", {"--quiet"});
     EXPECT_EQ(silent.out + silent.err, "");
-    const json counts = json::parse(render("stats.png", {"--json", "--tracer", "scalar"}).out)["statistics"];
+    const json counts = json::parse(picture_of("stats.png", {"--json", "--tracer", "scalar"}).out)["statistics"];
     EXPECT_EQ(counts["pixels"], 48 * 32);
     EXPECT_GE(counts["rays"], 48 * 32);
     EXPECT_EQ(counts["leaks"], 0);
