@@ -44,7 +44,8 @@ TEST_P(Beams, FromCellsMissNoCellOfARay) {
     Misses misses(view);
     for (int k = 0; k < 100; ++k) {
         const std::uint32_t cell = random_cell(view, random);
-        const std::vector<CellId> reached = reachable_cells(view, source_of_cell(view, CellId{cell}));
+        const std::vector<CellId> reached =
+            reachable_cells(view, source_of_cell(view, CellId{cell}), {.max_beams = 16});
         for (int r = 0; r < 3000; ++r)
             misses.judge(reached, {test::random_point(view, cell, random), test::far_direction(random), cell});
     }
@@ -58,7 +59,7 @@ TEST_P(Beams, FromBoxesMissNoCellOfARay) {
         const Vec3d p = test::random_point(view, random_cell(view, random), random);
         const std::array<double, 3> low = {p.x - size(random), p.y - size(random), p.z - size(random)};
         const std::array<double, 3> high = {p.x + size(random), p.y + size(random), p.z + size(random)};
-        const std::vector<CellId> reached = reachable_cells(view, sources_of_box(view, low, high));
+        const std::vector<CellId> reached = reachable_cells(view, sources_of_box(view, low, high), {.max_beams = 8});
         for (int r = 0; r < 3000; ++r) {
             const auto between = [&](std::size_t i) {
                 return std::uniform_real_distribution<double>(low[i], high[i])(random);
