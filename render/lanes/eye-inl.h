@@ -91,11 +91,11 @@ private:
 struct Outlook {
     static constexpr std::uint32_t most = 12;
     struct Section {
-        std::uint32_t index, next;        ///< in the scene
-        float px, py, qx, qy;             ///< where it begins and ends
-        float nx, ny;                     ///< its outward normal, of its length
-        float away;                       ///< from the point to its plane, times its length
-        float squared;                    ///< its length, squared
+        std::uint32_t index, next;  ///< in the scene
+        float px, py, qx, qy;       ///< where it begins and ends
+        float nx, ny;               ///< its outward normal, of its length
+        float away;                 ///< from the point to its plane, times its length
+        float squared;              ///< its length, squared
         std::uint32_t first_face, top_face;
     };
     std::uint32_t cell = no_section;  ///< none: not made yet
@@ -118,9 +118,9 @@ struct Outlook {
         }
         // From nearer than this to its plane a section is crossed nobody knows where: rays may run along it, and
         // what its plane says is noise over noise (README.md).
-        constexpr float near = 0.05f;
-        for (; size < candidates.size; ++size) {
-            const std::uint32_t i = candidates.section[size];
+        constexpr float near = 0x1p-8f;
+        for (std::uint32_t k = 0; k < candidates.size; ++k) {
+            const std::uint32_t i = candidates.section[k];
             const std::uint32_t j = i + 1 == c.section_count ? 0 : i + 1;
             Section& s = section[size];
             s.index = c.first_section + i;
@@ -132,10 +132,14 @@ struct Outlook {
             s.nx = s.qy - s.py;
             s.ny = s.px - s.qx;
             s.away = s.nx * (s.px - eye.x) + s.ny * (s.py - eye.y);
+            s.squared = s.nx * s.nx + s.ny * s.ny;
             s.first_face = scene.section_tails[s.index].first_face;
             s.top_face = scene.section_tails[s.index + 1].first_face - 1;
-            s.squared = s.nx * s.nx + s.ny * s.ny;
-            is_known &= s.away > 0 && s.away * s.away > near * near * s.squared;
+            const bool is_near = !(s.away * s.away > near * near * s.squared);
+            // From beyond its plane rays come in by this section: they would leave by it behind the eye.
+            if (s.away < 0 && !is_near) continue;
+            is_known &= !is_near;
+            ++size;
         }
     }
 };
@@ -156,7 +160,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t remembered = 4;
+    static constexpr std::uint32_t remembered = 8;
     /// Asking few sections for nothing costs less than finding out which ones.
     static constexpr std::uint32_t narrow = 2;
 

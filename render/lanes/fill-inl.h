@@ -248,10 +248,8 @@ HWY_INLINE void fill_columns(const FaceFill& face, int x0, int x1, int y0, int y
 HWY_INLINE void fill_face(const Canvas& canvas, const Rectangle& at, const Layer& layer) {
     const FaceFill face(canvas, layer);
     int x = at.x0;
-    for (; at.x1 - x >= 4 * lane_count; x += 4 * lane_count)
-        fill_columns<lane_count, 4>(face, x, at.x1, at.y0, at.y1);
-    for (; at.x1 - x >= 2 * lane_count; x += 2 * lane_count)
-        fill_columns<lane_count, 2>(face, x, at.x1, at.y0, at.y1);
+    for (; at.x1 - x >= 4 * lane_count; x += 4 * lane_count) fill_columns<lane_count, 4>(face, x, at.x1, at.y0, at.y1);
+    for (; at.x1 - x >= 2 * lane_count; x += 2 * lane_count) fill_columns<lane_count, 2>(face, x, at.x1, at.y0, at.y1);
     constexpr int half = lane_count < 8 ? lane_count : lane_count / 2;
     for (; at.x1 - x > half; x += lane_count) fill_columns<lane_count, 1>(face, x, at.x1, at.y0, at.y1);
     for (; at.x1 - x > 4; x += half) fill_columns<half, 1>(face, x, at.x1, at.y0, at.y1);

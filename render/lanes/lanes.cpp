@@ -73,7 +73,8 @@ void simd_tile(const detail::TileJob& job) {
     counted(job, [&](auto& events) HWY_ATTR {
         for (int y = job.y0; y < job.y1; y += side)
             for (int x = job.x0; x < job.x1; x += side) {
-                const Rectangle at = {x, y, x + side < job.x1 ? x + side : job.x1, y + side < job.y1 ? y + side : job.y1};
+                const Rectangle at = {x, y, x + side < job.x1 ? x + side : job.x1,
+                                      y + side < job.y1 ? y + side : job.y1};
                 Outlooks outlooks(scene, *job.camera, at, nullptr);
                 trace_blocks<block_rays>(job, scene, Bundle{job.start_cell}, outlooks, at, events);
             }

@@ -80,9 +80,9 @@ private:
             {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1}};
         const F quarter(static_cast<float>(half)), corner(static_cast<float>(half - 1));
         const auto place = [&](int axis, int start) HWY_ATTR {
-            return fused_lanes(load<corner_count>(of_quarter[axis]), quarter,
-                               fused_lanes(load<corner_count>(of_corner[axis]), corner,
-                                           F(static_cast<float>(start) + 0.5f)));
+            return fused_lanes(
+                load<corner_count>(of_quarter[axis]), quarter,
+                fused_lanes(load<corner_count>(of_corner[axis]), corner, F(static_cast<float>(start) + 0.5f)));
         };
         return directions(*job_.camera, place(0, tile.x), place(1, tile.y));
     }
@@ -96,8 +96,10 @@ private:
             const Rectangle at = clipped({tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half});
             if (at.x0 < at.x1 && at.y0 < at.y1) present |= quarter_bits << (4 * q);
             for (int corner = 0; corner < 4; ++corner) {
-                x[4 * q + corner] = corner % 2 == 0 ? static_cast<float>(at.x0) + 0.5f : static_cast<float>(at.x1) - 0.5f;
-                y[4 * q + corner] = corner / 2 == 0 ? static_cast<float>(at.y0) + 0.5f : static_cast<float>(at.y1) - 0.5f;
+                x[4 * q + corner] =
+                    corner % 2 == 0 ? static_cast<float>(at.x0) + 0.5f : static_cast<float>(at.x1) - 0.5f;
+                y[4 * q + corner] =
+                    corner / 2 == 0 ? static_cast<float>(at.y0) + 0.5f : static_cast<float>(at.y1) - 0.5f;
             }
         }
         return directions(*job_.camera, load<corner_count>(x), load<corner_count>(y));
@@ -151,8 +153,7 @@ private:
     }
 
     /// Quarters whose corners agree go on by themselves, the others from this cell.
-    void split(const Tile& tile, const Bundle& bundle, const Ways<corner_count>& ways,
-               const Outlooks& outlooks) {
+    void split(const Tile& tile, const Bundle& bundle, const Ways<corner_count>& ways, const Outlooks& outlooks) {
         const int half = tile.side / 2;
         for (int q = 0; q < 4; ++q) {
             const Tile quarter = {tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half};

@@ -22,9 +22,9 @@ HWY_INLINE Points<N> everywhere(Vec3f p) {
 struct Bundle {
     std::uint32_t cell;
     bool is_mirrored = false;
-    float mirror_level = 0;    ///< height of the floor that mirrored it
-    Vec3f floor = {0, 0, 0};   ///< that floor's own light where it is lit straight
-    Vec3f tint = {1, 1, 1};    ///< of what it meets
+    float mirror_level = 0;   ///< height of the floor that mirrored it
+    Vec3f floor = {0, 0, 0};  ///< that floor's own light where it is lit straight
+    Vec3f tint = {1, 1, 1};   ///< of what it meets
 };
 
 /// A block is four pixels high, and as wide as its rays ask for; its rays go row by row.
@@ -48,7 +48,8 @@ template <int N>
 inline constexpr BlockCentres<N> block_centres;
 
 template <int N>
-HWY_INLINE void store_pixels(const detail::TileJob& job, const Rectangle& at, const std::uint32_t* HWY_RESTRICT pixels) {
+HWY_INLINE void store_pixels(const detail::TileJob& job, const Rectangle& at,
+                             const std::uint32_t* HWY_RESTRICT pixels) {
     constexpr int block = block_width<N>;
     if (HWY_LIKELY(at.x1 - at.x0 == block && at.y1 - at.y0 == block_height)) {
         for (int y = 0; y < block_height; ++y)
@@ -94,8 +95,8 @@ HWY_INLINE Bits rays_within(const Rectangle& at) {
 
 /// What the floors mirror, added to the light of the floors themselves.
 template <int N, class Events>
-HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const Floats<N>& inverse_length, Tints<N>& tints, Light<N>& light,
-                                Events& events) {
+HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const Floats<N>& inverse_length,
+                                Tints<N>& tints, Light<N>& light, Events& events) {
     for (Bits left = seen.mirrors; left != 0; left &= left - 1) events.began_walk();
     const Rays<N> turned = mirrored(rays, seen.mirror_level);
     Seen<N> reflected(seen.job, seen.scene, turned.direction, true);
@@ -118,8 +119,7 @@ HWY_NOINLINE Floats<N> exact_inverse_root(const Floats<N>& a) {
 template <int N>
 struct FaceColour {
     Floats<N> r, g, b;
-    HWY_INLINE explicit FaceColour(Vec3f colour)
-        : r(full(colour.x)), g(full(colour.y)), b(full(colour.z)) {}
+    HWY_INLINE explicit FaceColour(Vec3f colour) : r(full(colour.x)), g(full(colour.y)), b(full(colour.z)) {}
 
 private:
     static HWY_INLINE float full(float channel) { return 255.0f * (channel < 1 ? root(channel) : 1.0f); }
@@ -133,8 +133,7 @@ HWY_INLINE void store_face(const detail::TileJob& job, const Rectangle& at, cons
     const V rounding = hn::Set(D(), rounds_to_integer);
     HWY_ALIGN std::uint32_t pixels[N];
     for (int k = 0; k < d.x.vectors; ++k) {
-        const V squared =
-            hn::MulAdd(d.x.v[k], d.x.v[k], hn::MulAdd(d.y.v[k], d.y.v[k], hn::Mul(d.z.v[k], d.z.v[k])));
+        const V squared = hn::MulAdd(d.x.v[k], d.x.v[k], hn::MulAdd(d.y.v[k], d.y.v[k], hn::Mul(d.z.v[k], d.z.v[k])));
         const V inverse = hn::ApproximateReciprocalSqrt(hn::Mul(squared, normal_squared.v[k]));
         const V bright = quick_root(hn::Mul(facing.v[k], inverse));
         hn::Store(packed(DU(), hn::MulAdd(bright, colour.r.v[k], rounding), hn::MulAdd(bright, colour.g.v[k], rounding),
@@ -166,8 +165,7 @@ HWY_INLINE const accel::SourceFace* plain_face(const detail::TileJob& job, const
                                                accel::Target target) {
     if (target.is_portal()) return nullptr;
     const accel::SourceFace& face = scene.source_faces[target.bits];
-    const bool is_dark_mirror =
-        job.mirror_floor > 0 && exit == Exit::Floor && face.surface == accel::Surface::Floor;
+    const bool is_dark_mirror = job.mirror_floor > 0 && exit == Exit::Floor && face.surface == accel::Surface::Floor;
     return face.surface == accel::Surface::Sky || is_dark_mirror ? nullptr : &face;
 }
 
@@ -189,8 +187,7 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
         const Outlook::Section& s = outlook.section[k];
         Bits left = all_bits<N>;
         if (outlook.size > 1) {
-            const Bits p_left =
-                tested == s.index ? q_left : is_less(lines.threshold, sides_of(lines, s.px, s.py));
+            const Bits p_left = tested == s.index ? q_left : is_less(lines.threshold, sides_of(lines, s.px, s.py));
             q_left = is_less(lines.threshold, sides_of(lines, s.qx, s.qy));
             tested = s.next;
             left = ~p_left & q_left & all_bits<N>;
@@ -207,8 +204,7 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
         left &= ~(down | up);
         for (std::uint32_t face = s.first_face; left != 0; ++face) {
             const accel::SideFace& side = scene.side_faces[face];
-            const Bits here =
-                face == s.top_face ? left : left & is_less(rise, F(side.z_top - eye_z) * den);
+            const Bits here = face == s.top_face ? left : left & is_less(rise, F(side.z_top - eye_z) * den);
             if (here == 0) continue;
             const accel::SourceFace* source = plain_face(job, scene, Exit::Side, side.target);
             if (source == nullptr) return false;
@@ -231,7 +227,8 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
     return true;
 }
 
-/// A block all of whose rays go one way until they end, perhaps at several faces of one cell: most do. Returns false, having done nothing, where it is none.
+/// A block all of whose rays go one way until they end, perhaps at several faces of one cell: most do. Returns false,
+/// having done nothing, where it is none.
 template <int N, class Events>
 HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
                                   Outlooks& outlooks, const Rectangle& at, const Points<N>& d, Events& events) {

@@ -56,9 +56,8 @@ struct Seen {
         const Vec3f colour = colour_of(scene, face);
         const Vec3f n = outward_normal(scene, way);
         // Of a level face n.x and n.y are 0, of an upright one n.z is.
-        const Floats<N> facing =
-            fused_lanes(Floats<N>(n.x), direction.x,
-                        fused_lanes(Floats<N>(n.y), direction.y, Floats<N>(n.z) * direction.z));
+        const Floats<N> facing = fused_lanes(Floats<N>(n.x), direction.x,
+                                             fused_lanes(Floats<N>(n.y), direction.y, Floats<N>(n.z) * direction.z));
         cosine = choose(way.rays, facing, cosine);
         red = choose(way.rays, Floats<N>(colour.x), red);
         green = choose(way.rays, Floats<N>(colour.y), green);

@@ -117,9 +117,9 @@ public:
         Way rest = way;
         const accel::Cell& c = scene_.cells[cell];
         const Bits reached =
-            way.rays & (way.exit == Exit::Side
-                            ? limits_.before_side(at...)
-                            : limits_.before_level(way.exit == Exit::Floor ? c.z_floor : c.z_ceiling, rays_));
+            way.rays &
+            (way.exit == Exit::Side ? limits_.before_side(at...)
+                                    : limits_.before_level(way.exit == Exit::Floor ? c.z_floor : c.z_ceiling, rays_));
         if (reached != 0) {
             sink_.reached(reached, cell);
             rest.rays &= ~reached;
