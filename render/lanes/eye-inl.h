@@ -1,5 +1,6 @@
 // N rays from one point, within four corner rays: the corners tell which vertical lines all rays pass on one side, so
 // that few sections, most often one, are left to be asked; and the point folds into one number a section.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

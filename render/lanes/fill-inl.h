@@ -1,5 +1,6 @@
 // Rectangles of the image that one face fills: Lambert's cosine is affine over the image, over the length of the
 // direction. Sixteen pixels an instruction.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

@@ -1,5 +1,6 @@
 // How N rays leave a cell: the formulas of walk.h, a vertical line, a section and a face at a time for all rays in the
 // cell. Whatever is loaded of the scene is one number for all of them: there is no gather.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

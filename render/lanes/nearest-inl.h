@@ -1,6 +1,7 @@
 // The faces that rays of a stream meet. Neighbours that start in one cell leave it together, as they come; all others,
 // and those that go on, wait in the queues of their cells until a register is full. Every ray is decided by its own
 // numbers alone: its neighbours do not change its answer.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

@@ -1,6 +1,7 @@
 // Packets: a tile of the image is bounded by corner rays. Where the corners of a tile leave a cell by one face, so do
 // all its rays, for faces and cells are convex: the tile goes on whole, or is filled. One step decides for four
 // quarters at once, by the sixteen corner rays that they have.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

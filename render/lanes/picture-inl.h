@@ -1,4 +1,5 @@
 // Blocks of pixels, a ray each: the simd tracer, and what packets come down to.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

@@ -1,5 +1,6 @@
 // How a register of rays, all in one cell, leaves it: every ray finds its own section in one pass over the cell's
 // lines, and fetches that section's numbers. Only what is beyond the noise of rounding is decided here.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
@@ -67,16 +68,22 @@ HWY_INLINE Mask as_mask(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
 /// The section that each beam has on its right where it begins and on its left where it ends, counted from the cell's
 /// first: the last one of several, any where there is none.
 HWY_INLINE Numbers accepting_section(const Beams& beams, const float* HWY_RESTRICT xs, const float* HWY_RESTRICT ys,
-                                     std::uint32_t count) {
+                                     std::uint32_t count, Mask& several) {
     const V zero = hn::Zero(D());
     Numbers section = hn::Set(DI(), static_cast<std::int32_t>(count - 1));
-    Mask before = hn::Gt(beams.side(hn::Set(D(), xs[0]), hn::Set(D(), ys[0])), zero);
+    const Mask first = hn::Gt(beams.side(hn::Set(D(), xs[0]), hn::Set(D(), ys[0])), zero);
+    Mask before = first, found = hn::MaskFalse(D());
+    several = found;
     for (std::uint32_t i = 1; i < count; ++i) {
         const Mask left = hn::Gt(beams.side(hn::Set(D(), xs[i]), hn::Set(D(), ys[i])), zero);
-        section = hn::IfThenElse(hn::RebindMask(DI(), hn::AndNot(before, left)),
-                                 hn::Set(DI(), static_cast<std::int32_t>(i - 1)), section);
+        const Mask accepting = hn::AndNot(before, left);
+        section =
+            hn::IfThenElse(hn::RebindMask(DI(), accepting), hn::Set(DI(), static_cast<std::int32_t>(i - 1)), section);
+        several = hn::Or(several, hn::And(found, accepting));
+        found = hn::Or(found, accepting);
         before = left;
     }
+    several = hn::Or(several, hn::And(found, hn::AndNot(before, first)));
     return section;
 }
 
@@ -99,21 +106,23 @@ HWY_INLINE Numbers face_of_stacks(const accel::SceneView& scene, const accel::Ce
     return face;
 }
 
-/// By the formulas of walk.h. A section is sure where the beam passes its ends by more than noise: other sections may
-/// then accept it by noise only, behind this one, and the walk takes the farthest.
+/// By the formulas of walk.h. A section is sure where it alone accepts the beam (where the grid has bent a wall inwards
+/// two may, and the farthest is to be taken) and the beam passes its ends by more than noise.
 HWY_INLINE Departure leave_prism(const accel::SceneView& scene, const accel::Cell& cell, const Beams& beams,
                                  Mask mask) {
     const float* xs = scene.section_x.first + cell.first_section;
     const float* ys = scene.section_y.first + cell.first_section;
     const std::uint32_t count = cell.section_count;
-    const Numbers p = accepting_section(beams, xs, ys, count);
+    Mask several;
+    const Numbers p = accepting_section(beams, xs, ys, count, several);
     const Numbers last = hn::Set(DI(), static_cast<std::int32_t>(count - 1));
     const Numbers q = hn::IfThenZeroElse(hn::Eq(p, last), hn::Add(p, hn::Set(DI(), 1)));
     const V px = each_of(xs, p, count), py = each_of(ys, p, count);
     const V qx = each_of(xs, q, count), qy = each_of(ys, q, count);
     const V p_side = beams.side(px, py), q_side = beams.side(qx, qy);
     Departure to;
-    to.sure = hn::And(mask, hn::And(hn::Lt(p_side, hn::Neg(beams.noise)), hn::Gt(q_side, beams.noise)));
+    to.sure = hn::AndNot(several, mask);
+    to.sure = hn::And(to.sure, hn::And(hn::Lt(p_side, hn::Neg(beams.noise)), hn::Gt(q_side, beams.noise)));
 
     const V zero = hn::Zero(D());
     const V flat = hn::Add(hn::Mul(beams.dx, beams.dx), hn::Mul(beams.dy, beams.dy));

@@ -1,4 +1,5 @@
 // Rays that wait for others in the same cell: when as many wait as a register holds, they leave it together.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 #include <cstdlib>
 

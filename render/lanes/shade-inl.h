@@ -1,4 +1,5 @@
 // What rays see: the faces of shade.h in lanes, or for a rectangle.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

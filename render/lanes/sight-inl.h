@@ -1,5 +1,6 @@
 // Shadow rays. Neighbours mostly leave their cell by one section, and most of those are walls: one ray is asked for
 // its section, and the others whether it is theirs, too. What is left waits in queues, as nearest-inl.h.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

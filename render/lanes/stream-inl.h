@@ -1,4 +1,5 @@
 // Columns of rays, a register at a time, and those that are left to the scalar kernel.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

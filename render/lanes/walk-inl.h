@@ -1,5 +1,6 @@
 // N rays together through the cells: those in one cell leave it together (leave-inl.h), those that go on to one
 // neighbour go on together.
+// No include guard: lanes.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
