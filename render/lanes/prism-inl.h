@@ -72,7 +72,7 @@ HWY_INLINE Numbers accepting_section(const Beams& beams, const float* HWY_RESTRI
     const V zero = hn::Zero(D());
     Numbers section = hn::Set(DI(), static_cast<std::int32_t>(count - 1));
     const Mask first = hn::Gt(beams.side(hn::Set(D(), xs[0]), hn::Set(D(), ys[0])), zero);
-    Mask before = first, found = hn::MaskFalse(D());
+    Mask before = first, found = hn::MaskFromVec(zero);
     several = found;
     for (std::uint32_t i = 1; i < count; ++i) {
         const Mask left = hn::Gt(beams.side(hn::Set(D(), xs[i]), hn::Set(D(), ys[i])), zero);
