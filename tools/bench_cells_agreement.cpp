@@ -112,7 +112,7 @@ void bench_families(Bench& bench, const TracedBuilding& building, const render::
     Tallies all;
     for (const RayFamily family : ray_families) {
         // Rays that seek trouble find it: each one on which Embree differs costs a pass over all faces.
-        const std::size_t most = family == RayFamily::Random ? 30'000'000 : 1'000'000;
+        const std::size_t most = family == RayFamily::Random ? 20'000'000 : 500'000;
         const Tallies tallies = compare_family(building, oracle, family, bench.quick() ? most / 100 : most);
         for (std::size_t t = 0; t < tracers.size(); ++t) {
             const Tally& tally = tallies[t];
