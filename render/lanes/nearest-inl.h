@@ -66,7 +66,7 @@ private:
         rays.dx = columns_.column(job_.direction[0], k, count);
         rays.dy = columns_.column(job_.direction[1], k, count);
         rays.dz = columns_.column(job_.direction[2], k, count);
-        rays.id = hn::Iota(DI(), static_cast<std::int32_t>(k - first_));
+        rays.id = numbers_from(k - first_);
         rays.limit = hn::Zero(D());
         const Mask present = hn::FirstN(D(), count);
         Mask plain = hn::And(present, are_plain(rays));

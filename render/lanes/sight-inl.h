@@ -39,6 +39,7 @@ public:
           events_(events),
           extent_(extent_of(scene_)),
           noise_(noise_of(extent_)),
+          margin_(noise_ + 2 * static_cast<float>(scene_.unit)),
           alone_(job, detail::kernels().visible) {}
 
     void run() {
@@ -105,6 +106,9 @@ private:
         for (; steps != 0; steps &= steps - 1) events_.entered_cell(cell.section_count);
         for (; ends != 0; ends &= ends - 1) events_.began_walk();  // once a ray
     }
+    HWY_INLINE void count_glass(Bits passing) {
+        for (; passing != 0; passing &= passing - 1) events_.crossed_glass();
+    }
     HWY_INLINE void count_glass(Numbers targets, Bits passing) {
         if constexpr (!std::is_same_v<Events, NoEvents>) {
             HWY_ALIGN std::int32_t target[lane_count];
@@ -131,6 +135,12 @@ private:
     };
 
     HWY_INLINE void begin(std::uint64_t k, std::uint32_t count) {
+        for (int axis = 0; axis < 3; ++axis) {
+            columns_.ask_for(job_.from[axis], k);
+            columns_.ask_for(job_.to[axis], k);
+        }
+        columns_.ask_for(job_.from_cell, k);
+        if (job_.to_cell != nullptr) columns_.ask_for(job_.to_cell, k);
         Batch batch;
         Waiting& rays = batch.rays;
         rays.ox = columns_.column(job_.from[0], k, count);
@@ -141,11 +151,11 @@ private:
         rays.dx = hn::Sub(qx, rays.ox);
         rays.dy = hn::Sub(qy, rays.oy);
         rays.dz = hn::Sub(qz, rays.oz);
-        rays.id = hn::Iota(DI(), static_cast<std::int32_t>(k - first_));
+        rays.id = numbers_from(k - first_);
         const Numbers cells = columns_.cells(job_.from_cell, k, count);
         const Numbers goals = job_.to_cell != nullptr ? columns_.cells(job_.to_cell, k, count) : hn::Set(DI(), -1);
         rays.limit = hn::BitCast(D(), goals);
-        const Mask present = hn::FirstN(D(), count);
+        const Mask present = count == lane_count ? hn::FirstN(D(), lane_count) : hn::FirstN(D(), count);
         const Mask near = hn::And(present, are_places(rays, qx, qy, qz));
         const Mask same = hn::And(near, as_mask(hn::Eq(cells, goals)));
         const Mask walks = hn::AndNot(same, hn::And(near, are_level(rays)));
@@ -167,14 +177,14 @@ private:
     /// Points about the scene. NaN fails.
     HWY_INLINE Mask are_places(const Waiting& rays, V qx, V qy, V qz) const {
         const V plan = hn::MulAdd(rays.ox, rays.ox, hn::MulAdd(rays.oy, rays.oy, hn::MulAdd(qx, qx, hn::Mul(qy, qy))));
-        const V height = hn::MulAdd(rays.oz, rays.oz, hn::Mul(qz, qz));
-        return hn::And(hn::Le(plan, hn::Set(D(), 4 * extent_ * extent_)), hn::Le(height, hn::Set(D(), 1e12f)));
+        const V heights = hn::MulAdd(rays.oz, rays.oz, hn::Mul(qz, qz));
+        const V most = hn::Set(D(), 4 * extent_ * extent_);
+        return hn::Le(hn::MulAdd(heights, hn::Set(D(), 4e-12f * extent_ * extent_), plan), most);
     }
     /// Directions of which no product is lost.
     HWY_INLINE static Mask are_level(const Waiting& rays) {
-        const V flat = hn::MulAdd(rays.dx, rays.dx, hn::Mul(rays.dy, rays.dy));
-        return hn::And(hn::Le(hn::Set(D(), 0x1p-30f), flat),
-                       hn::Le(hn::Mul(hn::Mul(rays.dz, rays.dz), hn::Set(D(), 0x1p-30f)), flat));
+        const V flat = hn::MulAdd(rays.dx, rays.dx, hn::Mul(rays.dy, rays.dy)), least = hn::Set(D(), 0x1p-30f);
+        return hn::Le(hn::MulAdd(hn::Mul(rays.dz, rays.dz), least, least), flat);
     }
 
     HWY_INLINE void answer(std::uint64_t k, std::uint32_t count, Bits seen) {
@@ -221,7 +231,7 @@ private:
     /// Neighbours from one cell to their goals.
     HWY_INLINE void follow(Batch& batch, V qx, V qy, std::uint32_t cell, Bits walking) {
         const Waiting& rays = batch.rays;
-        const Beams beams(rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, noise_);
+        const Beams beams(rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, margin_);
         constexpr int few = 3;             // so many are cheaper in a queue
         constexpr int most_sections = 24;  // of all cells together
         struct {
@@ -295,36 +305,38 @@ private:
         const V rise = hn::Sub(level, beams.oz);
         const Mask is_below = hn::Lt(scaled_dz, hn::Mul(rise, den));
         const Mask down = hn::And(descends, is_below), up = hn::AndNot(is_below, climbs);
-        Bits left = sure & ~bits_of(hn::Or(down, up));
-        const Mask past_wall = hn::Lt(num, den);  // else the end lies before
-        const Mask past_level = hn::Or(hn::And(down, hn::Gt(rise, beams.dz)), hn::And(up, hn::Lt(rise, beams.dz)));
-        count_steps(cell, sure, 0);
-        const auto leave = [&](Bits lanes, Mask past, accel::Target target) {
-            const Bits passing = lanes & bits_of(past);
-            batch.seen |= lanes & ~passing;
-            count_steps(cell, 0, target.is_portal() ? lanes & ~passing : lanes);
-            if (!target.is_portal() || passing == 0) return;
-            if (target.is_glass())
-                for (Bits each = passing; each != 0; each &= each - 1) events_.crossed_glass();
-            const auto next = static_cast<std::uint32_t>(target.neighbour());
-            const Bits arriving =
-                passing & bits_of(as_mask(hn::Eq(goal_of(batch.rays), hn::Set(DI(), static_cast<std::int32_t>(next)))));
-            batch.seen |= arriving;
-            count_steps(cell, 0, arriving);
-            if (passing != arriving) go_on(next, passing & ~arriving);
-        };
+        // Few branches: which of the faces rays meet is hard to guess.
         const Bits by_floor = sure & bits_of(down), by_ceiling = sure & bits_of(up);
-        if (by_floor != 0) leave(by_floor, past_level, cell.floor);
-        if (by_ceiling != 0) leave(by_ceiling, past_level, cell.ceiling);
-        for (std::uint32_t face = wall.first_face; face <= wall.top_face && left != 0; ++face) {
+        const Bits past_wall = bits_of(hn::Lt(num, den));  // else the end lies before
+        const Bits past_level =
+            bits_of(hn::Or(hn::And(descends, hn::Gt(rise, beams.dz)), hn::And(climbs, hn::Lt(rise, beams.dz))));
+        count_steps(cell, sure, 0);
+        const auto leave = [&](Bits lanes, Bits past, accel::Target target) HWY_ATTR {
+            batch.seen |= lanes & ~past;
+            Bits going = 0;
+            if (target.is_portal()) {
+                going = lanes & past;
+                if (target.is_glass()) count_glass(going);
+                const auto next = static_cast<std::uint32_t>(target.neighbour());
+                const Numbers goal = hn::Set(DI(), static_cast<std::int32_t>(next));
+                const Bits arriving = going & bits_of(as_mask(hn::Eq(goal_of(batch.rays), goal)));
+                batch.seen |= arriving;
+                going &= ~arriving;
+                if (going != 0) go_on(next, going);
+            }
+            count_steps(cell, 0, lanes & ~going);
+        };
+        leave(by_floor, past_level, cell.floor);
+        leave(by_ceiling, past_level, cell.ceiling);
+        Bits left = sure & ~(by_floor | by_ceiling);
+        for (std::uint32_t face = wall.first_face; face < wall.top_face; ++face) {
             const accel::SideFace& side = scene_.side_faces[face];
-            Bits here = left;
-            if (face < wall.top_face)
-                here &= bits_of(hn::Lt(scaled_dz, hn::Mul(hn::Sub(hn::Set(D(), side.z_top), beams.oz), den)));
-            if (here == 0) continue;
+            const V top = hn::Sub(hn::Set(D(), side.z_top), beams.oz);
+            const Bits here = left & bits_of(hn::Lt(scaled_dz, hn::Mul(top, den)));
             leave(here, past_wall, side.target);
             left &= ~here;
         }
+        leave(left, past_wall, scene_.side_faces[wall.top_face].target);
         return sure;
     }
 
@@ -339,6 +351,7 @@ private:
     const accel::SceneView scene_;
     Events& events_;
     const float extent_, noise_;
+    const float margin_;  ///< of sides by which a section is surely the only one: the grid may bend a wall inwards
     std::uint64_t first_ = 0;
     Queues queues_;
     Alone<detail::SegmentJob> alone_;

@@ -5,6 +5,12 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
+/// first, first + 1... By a constant, for Highway's Iota writes and reads memory.
+HWY_INLINE Numbers numbers_from(std::uint64_t first) {
+    HWY_ALIGN static constexpr std::int32_t places[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return hn::Add(hn::Load(DI(), places), hn::Set(DI(), static_cast<std::int32_t>(first)));
+}
+
 /// Rays of a stream in their order.
 struct Columns {
     const std::uint32_t* order;  ///< nullptr: 0, 1, 2...
@@ -27,6 +33,14 @@ struct Columns {
         HWY_ALIGN std::int32_t lanes[lane_count];
         fetch(numbers, k, count, lanes);
         return hn::Load(DI(), lanes);
+    }
+
+    /// Asks for numbers that are read soon. Columns of one length often begin at the same place of a page, and share
+    /// few places of the first cache: they are brought to the second.
+    template <class T>
+    HWY_INLINE void ask_for(const T* values, std::uint64_t k) const {
+        constexpr std::uint64_t ahead = 1536;
+        if (order == nullptr) __builtin_prefetch(values + k + ahead, 0, 2);
     }
 
 private:
