@@ -96,15 +96,18 @@ struct Outlook {
         float px, py, qx, qy;       ///< where it begins and ends
         float nx, ny;               ///< its outward normal, of its length
         float away;                 ///< from the point to its plane, times its length
+        bool is_near;                     ///< to its plane: what that says of rays is noise over noise
         float squared;              ///< its length, squared
         std::uint32_t first_face, top_face;
     };
     std::uint32_t cell = no_section;  ///< none: not made yet
     std::uint32_t size;
-    bool is_known;  ///< else there are too many, or the point lies in the plane of one
+    bool is_known;  ///< else there are too many
     Section section[most];
 
     Outlook() {}  // the rest is made when it is needed
+    /// Whether all rays leave by one section, and its plane tells where.
+    [[nodiscard]] HWY_INLINE bool is_plain() const { return is_known && size == 1 && !section[0].is_near; }
     HWY_NOINLINE void make(const accel::SceneView& scene, std::uint32_t cell_, Vec3f eye, const Corners4& corners) {
         cell = cell_;
         size = 0;
@@ -136,11 +139,9 @@ struct Outlook {
             s.squared = s.nx * s.nx + s.ny * s.ny;
             s.first_face = scene.section_tails[s.index].first_face;
             s.top_face = scene.section_tails[s.index + 1].first_face - 1;
-            const bool is_near = !(s.away * s.away > near * near * s.squared);
+            s.is_near = !(s.away * s.away > near * near * s.squared);
             // From beyond its plane rays come in by this section: they would leave by it behind the eye.
-            if (s.away < 0 && !is_near) continue;
-            is_known &= !is_near;
-            ++size;
+            if (s.is_near || s.away > 0) ++size;
         }
     }
 };
@@ -280,11 +281,15 @@ HWY_INLINE void leave_cell_by(const accel::SceneView& scene, const EyeRays<N>& r
     const accel::Cell& cell = scene.cells[outlook.cell];
     const F dz = rays.direction.z;
     const float floor_rise = cell.z_floor - rays.eye.z, ceiling_rise = cell.z_ceiling - rays.eye.z;
-    Bits by_floor = 0, by_ceiling = 0;
+    Bits by_floor = 0, by_ceiling = 0, near = 0;
     for (std::uint32_t k = 0; k < outlook.size; ++k) {
         Bits left = accepted.by[k] & ~accepted.several;
         if (left == 0) continue;
         const Outlook::Section& s = outlook.section[k];
+        if (HWY_UNLIKELY(s.is_near)) {
+            near |= left;
+            continue;
+        }
         const F den = fused_lanes(F(s.nx), rays.direction.x, F(s.ny) * rays.direction.y);
         const F rise = F(s.away) * dz;
         const Bits down = left & rays.descends & is_less(rise, F(floor_rise) * den);
@@ -305,6 +310,7 @@ HWY_INLINE void leave_cell_by(const accel::SceneView& scene, const EyeRays<N>& r
     if (by_floor != 0) ways.add({by_floor, Exit::Floor, no_section, no_section, 0, cell.floor.bits});
     if (by_ceiling != 0) ways.add({by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling.bits});
     ways.alone |= mask & (~accepted.seen | accepted.several);
+    if (HWY_UNLIKELY(near != 0)) leave_as_any(scene, rays, outlook.cell, near, ways);
 }
 
 /// A step of the walk.

@@ -186,6 +186,7 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
     std::uint32_t tested = no_section;
     for (std::uint32_t k = 0; k < outlook.size; ++k) {
         const Outlook::Section& s = outlook.section[k];
+        if (HWY_UNLIKELY(s.is_near)) return false;
         Bits left = all_bits<N>;
         if (outlook.size > 1) {
             const Bits p_left = tested == s.index ? q_left : is_less(lines.threshold, sides_of(lines, s.px, s.py));
@@ -242,7 +243,7 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
     for (std::uint64_t cells = 1; cells <= most_cells; ++cells) {
         const Outlook& outlook = outlooks.on(id);
         const auto try_mixed = [&]() HWY_ATTR { return trace_mixed_block(job, scene, outlook, tint, at, d); };
-        if (outlook.size != 1 || !outlook.is_known) return try_mixed();
+        if (!outlook.is_plain()) return try_mixed();
         const Outlook::Section& s = outlook.section[0];
         const accel::Cell& cell = scene.cells[id];
         const F den = fused_lanes(F(s.nx), d.x, F(s.ny) * d.y);
