@@ -48,14 +48,14 @@ std::vector<std::function<void()>> SameRays::random() {
     return competitors;
 }
 
-std::vector<std::function<void()>> SameRays::primary() {
+std::vector<std::function<void()>> SameRays::primary(render::Tracer tracer) {
     std::vector<std::function<void()>> competitors;
     for (std::size_t k = 0; k < scenes_.size(); ++k)
-        competitors.emplace_back([this, k] {
+        competitors.emplace_back([this, k, tracer] {
             const accel::SerialExecutor one_thread;
             for (const PreparedView& view : views_[k])
-                render::trace_lambert(*scenes_[k], view.frame, view.start, {.tracer = render::Tracer::Scalar},
-                                      one_thread, framebuffer_);
+                render::trace_lambert(*scenes_[k], view.frame, view.start, {.tracer = tracer}, one_thread,
+                                      framebuffer_);
         });
     return competitors;
 }

@@ -11,6 +11,7 @@
 #include "render/camera.h"
 #include "render/framebuffer.h"
 #include "render/trace_rays.h"
+#include "render/tracer.h"
 #include "tools/cut_figures.h"
 #include "tools/floor_views.h"
 #include "tools/room_pieces.h"
@@ -42,7 +43,7 @@ public:
 
     /// For a Contest: one competitor a scene, on the calling thread.
     [[nodiscard]] std::vector<std::function<void()>> random();
-    [[nodiscard]] std::vector<std::function<void()>> primary();
+    [[nodiscard]] std::vector<std::function<void()>> primary(render::Tracer tracer = render::Tracer::Scalar);
 
     /// Rays that see another face in `scene` than in `reference`, and rays that end nowhere in `scene`.
     struct Agreement {
