@@ -204,6 +204,10 @@ ENFILADE_HD void pass_faces(const SceneArrays& arrays, RayBlock& block) {
         _mm_store_ss(block.den + r, _mm_blendv_ps(den, dz, is_level));
         block.active[kept] = r;
         kept += goes_on;
+        // What ends behind its origin is a rare case (`ends_behind`).
+        const auto is_behind = static_cast<std::uint32_t>(_mm_movemask_ps(_mm_andnot_ps(is_level, num))) & 1u;
+        if ((is_behind & ~goes_on) != 0) [[unlikely]]
+            block.rest[block.rest_count++] = r;
     }
     block.active_count = kept;
 }
@@ -243,7 +247,12 @@ ENFILADE_HD void step_neighbours(const accel::SceneView& scene, const SceneArray
         block.next_section[r] = at.next_section;
         block.facing[r] = at.facing;
         block.level[r] = exit != Exit::Side ? ~0u : 0u;
-        if (!target.is_portal()) continue;
+        if (!target.is_portal()) {
+            // What ends behind its origin is a rare case (`ends_behind`).
+            if (at.num < 0 && exit == Exit::Side) [[unlikely]]
+                block.rest[block.rest_count++] = r;
+            continue;
+        }
         if (target.is_glass()) {
             const Vec3f tint = tint_of(scene, c, exit, face);
             block.tint[0][r] = block.tint[0][r] * tint.x;

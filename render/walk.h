@@ -285,8 +285,8 @@ ENFILADE_HD_COLD inline Vec3f tint_of(const accel::SceneView& scene, std::uint32
 /// Always ends: a straight line enters no convex cell twice, so more steps than cells mean that rounding leads the walk
 /// in a circle about a vertex; then it takes the nearest of several exits instead of the farthest, once as long.
 template <class T, class Stop, class Events>
-ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
-                            Vec3f& throughput, Events& events) {
+ENFILADE_HD WalkEnd<T> walk_in(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                               Vec3f& throughput, Events& events) {
     WalkEnd<T> end;
     events.began_walk();
     std::uint32_t entry = no_section, entry_next = no_section;
@@ -312,6 +312,51 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
     }
     end.status = WalkStatus::Leak;
     events.leaked();
+    return end;
+}
+
+ENFILADE_HD NoLimit in_double(NoLimit) { return {}; }
+ENFILADE_HD Limit<double> in_double(Limit<float> stop) { return {stop.t}; }
+ENFILADE_HD ToPoint<double> in_double(ToPoint<float> stop) { return {stop.t, stop.cell}; }
+
+/// Where noise has led a ray out of its cell by a section behind its origin: along a wall that it starts on, or one of
+/// many corners in line. One section accepts it, and another than in truth.
+ENFILADE_HD bool ends_behind(const Ray<float>& ray, const WalkEnd<float>& end) {
+    if (!(end.num < 0.0f) || end.exit != Exit::Side || end.status != WalkStatus::Hit) return false;
+    constexpr float metres = -1e-3f;  // what starts on a face may meet it a rounding behind itself
+    return end.num / end.den * length(ray.direction) < metres;
+}
+
+/// The same line, walked in double precision.
+template <class Stop, class Events>
+ENFILADE_HD_COLD WalkEnd<float> walk_in_double(const accel::SceneView& scene, Ray<float> ray, std::uint32_t cell,
+                                               const Stop& stop, Vec3f& throughput, Events& events) {
+    const Ray<double> exact = make_ray_unchecked(vec_cast<double>(ray.origin), vec_cast<double>(ray.direction));
+    const WalkEnd<double> end = walk_in(scene, exact, cell, in_double(stop), throughput, events);
+    return {end.status,
+            end.exit,
+            end.cell,
+            end.section,
+            end.next_section,
+            end.face,
+            end.target,
+            static_cast<float>(end.num),
+            static_cast<float>(end.den),
+            static_cast<float>(end.facing)};
+}
+
+/// Follows the ray (walk_in) in its own precision, and in double where that led it out behind its origin.
+template <class T, class Stop, class Events>
+ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                            Vec3f& throughput, Events& events) {
+    const Vec3f before = throughput;
+    const WalkEnd<T> end = walk_in(scene, ray, cell, stop, throughput, events);
+    if constexpr (sizeof(T) == sizeof(float)) {
+        if (ends_behind(ray, end)) [[unlikely]] {
+            throughput = before;
+            return walk_in_double(scene, ray, cell, stop, throughput, events);
+        }
+    }
     return end;
 }
 
