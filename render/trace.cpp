@@ -74,7 +74,7 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
         if (!(frame.origin.z > job.cut_z))
             throw InputError("R3", "", "the camera stands below the height at which the building is cut; move it up");
     } else {
-        job.start_cell = static_cast<std::uint32_t>(start_cell(scene, frame));
+        job.start_cell = static_cast<std::uint32_t>(options.start ? *options.start : start_cell(scene, frame));
     }
     Image image(camera.width, camera.height);
     job.rgb = image.rgb.data();

@@ -28,6 +28,7 @@ struct TraceOptions {
     int samples_per_pixel = 1;  ///< rounded up to a square number, evenly spread; 4 and more for pictures
     Look look;
     float mirror_floor = 0;                     ///< share of their light that floors reflect as mirrors do, 0 to 1
+    std::optional<accel::CellId> start;         ///< the cell that holds the eye, where it is known; else looked for
     std::optional<double> cut_z;                ///< dollhouse: whatever lies above this height (metres) is not seen
     const accel::Executor* executor = nullptr;  ///< nullptr: all cores. The image does not depend on it.
     RayStats* stats = nullptr;                  ///< where given, what happened to the rays is added

@@ -99,13 +99,14 @@ std::vector<Shot> chosen_shots(const RenderOptions& options, const accel::SceneV
 }
 
 render::Image render_view(const RenderOptions& options, const TracerChoice& choice, const accel::SceneView& scene,
-                          const View& view, const accel::Executor& executor, render::RayStats& stats) {
+                          const Shot& shot, const accel::Executor& executor, render::RayStats& stats) {
+    const View& view = shot.view;
     if (choice.is_oracle) {
         if (view.cut_z)
             throw InputError("F112", "",
                              "The oracle takes nothing off the building: give it --room NAME, --camera exterior or "
                              "--camera X,Y,Z:X,Y,Z.");
-        return render::trace_by_oracle(scene, view.camera, int(options.samples * options.samples));
+        return render::trace_by_oracle(scene, view.camera, int(options.samples * options.samples), choice.mirror_floor);
     }
     render::TraceOptions trace;
     trace.tracer = choice.tracer;
@@ -114,6 +115,7 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     trace.mirror_floor = choice.mirror_floor;
     trace.shading = options.shading == "lambert" ? render::Shading::Lambert : render::Shading::Look;
     trace.samples_per_pixel = int(options.samples * options.samples);
+    trace.start = shot.cell;
     trace.cut_z = view.cut_z;
     // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
     if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
@@ -165,7 +167,7 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
         render::Image image;
         shot.seconds = seconds_of([&] {
             image = counts ? counts->picture(shot.view, watched)
-                           : render_view(options, choice, scene.view(), shot.view, watched, made.stats);
+                           : render_view(options, choice, scene.view(), shot, watched, made.stats);
         });
         files.write(k, image);
     }
