@@ -1,5 +1,6 @@
 #include "render/ray_stream.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "render/kernel.h"
@@ -7,14 +8,19 @@
 namespace enfilade::render {
 namespace {
 
-/// Rays a task: so many that most queues of cells fill up (lanes/queue-inl.h) where they come in any order.
-constexpr std::size_t coherent_rays = 1 << 13;
-constexpr std::size_t mixed_rays = 1 << 16;
+/// Rays a task. It begins with empty queues of cells (lanes/queue-inl.h) and serves them half full at its end, so few
+/// large tasks cost less; where rays come in any order more of them are needed to fill the queues. From the number of
+/// rays alone: what is counted does not depend on who runs it.
+std::size_t rays_a_task(std::size_t count, StreamOrder order) {
+    constexpr std::size_t least = 1 << 13, most = 1 << 16;
+    const std::size_t tasks = order == StreamOrder::Any ? 16 : 64;
+    return std::clamp(count / tasks, least, most);
+}
 
 /// Calls `kernel` for chunks of the job, each with its statistics.
 template <class Job>
 void run_chunks(const Job& all, std::size_t count, const StreamOptions& options, void (*kernel)(const Job&)) {
-    const std::size_t chunk_rays = options.order == StreamOrder::Any ? mixed_rays : coherent_rays;
+    const std::size_t chunk_rays = rays_a_task(count, options.order);
     std::vector<RayStats> of_chunk(options.stats != nullptr ? (count + chunk_rays - 1) / chunk_rays : 0);
     const accel::SerialExecutor serial;
     const accel::Executor& executor = options.executor != nullptr ? *options.executor : serial;

@@ -240,6 +240,9 @@ private:
         } group[most_sections + 2];
         int size = 1;
         group[0] = {cell, walking};
+        // Neighbours towards the same room before these left by the section that these leave by, more often than not.
+        Guess& guess = guesses_[(cell + 7 * static_cast<std::uint32_t>(hn::GetLane(goal_of(rays)))) % guess_count];
+        bool is_guessed = guess.cell == cell;
         for (int asked = 0; size > 0;) {
             const std::uint32_t in = group[size - 1].cell;
             const accel::Cell& c = scene_.cells[in];
@@ -250,7 +253,10 @@ private:
                     break;
                 }
                 ++asked;
-                const std::uint32_t section = section_of(scene_, c, beams, lowest_bit(left));
+                const bool was_guessed = is_guessed;
+                const std::uint32_t section =
+                    is_guessed ? guess.section : section_of(scene_, c, beams, lowest_bit(left));
+                is_guessed = false;
                 if (HWY_UNLIKELY(section == no_section)) {
                     batch.wait(left, in);
                     break;
@@ -259,7 +265,8 @@ private:
                 const Bits through = pass(batch, beams, qx, qy, c, wall, left, [&](std::uint32_t next, Bits going) {
                     group[size++] = {next, going};
                 });
-                if (through == 0) {
+                if (!was_guessed) guess = {in, section};
+                if (through == 0 && !was_guessed) {
                     batch.wait(left, in);
                     break;
                 }
@@ -352,7 +359,12 @@ private:
     Events& events_;
     const float extent_, noise_;
     const float margin_;  ///< of sides by which a section is surely the only one: the grid may bend a wall inwards
+    struct Guess {
+        std::uint32_t cell = no_cell, section = 0;
+    };
+    static constexpr std::uint32_t guess_count = 64;
     std::uint64_t first_ = 0;
+    Guess guesses_[guess_count];
     Queues queues_;
     Alone<detail::SegmentJob> alone_;
 };
