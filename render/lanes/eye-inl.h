@@ -96,7 +96,7 @@ struct Outlook {
         float px, py, qx, qy;       ///< where it begins and ends
         float nx, ny;               ///< its outward normal, of its length
         float away;                 ///< from the point to its plane, times its length
-        bool is_near;                     ///< to its plane: what that says of rays is noise over noise
+        bool is_near;               ///< to its plane: what that says of rays is noise over noise
         float squared;              ///< its length, squared
         std::uint32_t first_face, top_face;
     };
@@ -227,17 +227,6 @@ HWY_INLINE Bits left_of(const EyeRays<N>& rays, float x, float y) {
                    fused_lanes(Floats<N>(y), rays.direction.x, fused_lanes(Floats<N>(x), rays.minus_dy, rays.moment)));
 }
 
-/// Faces by which rays leave a cell, and those for which there are several or none.
-template <int N>
-struct Ways {
-    int size = 0;
-    Bits alone = 0;
-    Way of[N + 2];  // as many as are said
-
-    Ways() {}
-    HWY_INLINE void add(const Way& way) { of[size++] = way; }
-};
-
 /// Which rays each section of an outlook accepts (step 1).
 template <int N>
 struct Accepted {
@@ -267,8 +256,7 @@ struct Accepted {
 template <int N>
 HWY_NOINLINE void leave_as_any(const accel::SceneView& scene, const EyeRays<N>& rays, std::uint32_t cell, Bits mask,
                                Ways<N>& ways) {
-    ways.alone |= leave_cell_together(scene, rays.all(), cell, mask,
-                                      [&](const Way& way, const Crossings<N>&) HWY_ATTR { ways.add(way); });
+    leave_together(scene, rays.all(), cell, mask, ways);
 }
 
 /// As any rays leave a cell (leave-inl.h), by what the outlook knows of it.
@@ -314,13 +302,10 @@ HWY_INLINE void leave_cell_by(const accel::SceneView& scene, const EyeRays<N>& r
 }
 
 /// A step of the walk.
-template <int N, class Visit>
-HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const EyeRays<N>& rays, std::uint32_t cell,
-                                    Bits mask, const Visit& visit) {
-    Ways<N> ways;
+template <int N>
+HWY_INLINE void leave_together(const accel::SceneView& scene, const EyeRays<N>& rays, std::uint32_t cell, Bits mask,
+                               Ways<N>& ways) {
     leave_cell_by(scene, rays, rays.outlooks.on(cell), mask, ways);
-    for (int i = 0; i < ways.size; ++i) visit(ways.of[i]);
-    return ways.alone;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -66,11 +66,15 @@ struct Way {
     [[nodiscard]] HWY_INLINE accel::Target target() const { return {target_bits}; }
 };
 
-/// Where rays cross the plane of the section they leave by: t = num / den (walk.h, Crossing). Of no meaning for those
-/// that leave by floor or ceiling.
+/// Faces by which N rays leave a cell; no ray is in two of them.
 template <int N>
-struct Crossings {
-    Floats<N> num, den;
+struct Ways {
+    int size = 0;
+    Bits alone = 0;  ///< rays that several sections accept, or none does
+    Way of[N + 2];   // as many as are said
+
+    Ways() {}
+    HWY_INLINE void add(const Way& way) { of[size++] = way; }
 };
 
 /// Sections that accept rays, before anything is done for them: only then is known which rays several accept.
@@ -111,11 +115,10 @@ HWY_INLINE void find_sections(const Rays<N>& rays, const float* HWY_RESTRICT xs,
     if (accepted != 0) accepting.add(count - 1, accepted);
 }
 
-/// Calls visit(way, crossings) for every face by which rays of the mask leave the cell, and returns those that several
-/// sections accept, or none does, for which nothing was called.
-template <int N, class Visit>
-HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>& rays, std::uint32_t cell_id,
-                                    Bits mask, const Visit& visit) {
+/// Adds the faces by which rays of the mask leave the cell.
+template <int N>
+HWY_INLINE void leave_together(const accel::SceneView& scene, const Rays<N>& rays, std::uint32_t cell_id, Bits mask,
+                               Ways<N>& ways) {
     const accel::Cell& cell = scene.cells[cell_id];
     const float* xs = scene.section_x.first + cell.first_section;
     const float* ys = scene.section_y.first + cell.first_section;
@@ -128,7 +131,6 @@ HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>
     const Floats<N> floor_rise = Floats<N>(cell.z_floor) - rays.origin.z;
     const Floats<N> ceiling_rise = Floats<N>(cell.z_ceiling) - rays.origin.z;
     Bits by_floor = 0, by_ceiling = 0;
-    Crossings<N> at;
     for (int k = 0; k < accepting.size; ++k) {
         Bits left = accepting.of[k].rays & ~accepting.several;
         if (HWY_UNLIKELY(left == 0)) continue;
@@ -139,13 +141,13 @@ HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>
             fused_lanes(Floats<N>(xs[i]) - rays.origin.x, dx, (Floats<N>(ys[i]) - rays.origin.y) * dy);
         const Floats<N> q_along =
             fused_lanes(Floats<N>(xs[j]) - rays.origin.x, dx, (Floats<N>(ys[j]) - rays.origin.y) * dy);
-        at.num = q_side * p_along - p_side * q_along;
-        at.den = (q_side - p_side) * flat;
-        const Floats<N> rise = at.num * dz;
-        const Bits down = left & rays.descends & is_less(rise, floor_rise * at.den);
+        const Floats<N> num = q_side * p_along - p_side * q_along;
+        const Floats<N> den = (q_side - p_side) * flat;
+        const Floats<N> rise = num * dz;
+        const Bits down = left & rays.descends & is_less(rise, floor_rise * den);
         by_floor |= down;
         left &= ~down;
-        const Bits up = left & rays.climbs & ~is_less(rise, ceiling_rise * at.den);
+        const Bits up = left & rays.climbs & ~is_less(rise, ceiling_rise * den);
         by_ceiling |= up;
         left &= ~up;
         if (left == 0) continue;
@@ -155,17 +157,17 @@ HWY_INLINE Bits leave_cell_together(const accel::SceneView& scene, const Rays<N>
         // Rays above the last face that do not leave by the ceiling leave by that face: the ceiling is left upwards.
         for (; face < top; ++face) {
             const accel::SideFace& side = scene.side_faces[face];
-            const Bits here = left & is_less(rise, (Floats<N>(side.z_top) - rays.origin.z) * at.den);
+            const Bits here = left & is_less(rise, (Floats<N>(side.z_top) - rays.origin.z) * den);
             if (here == 0) continue;
-            visit(Way{here, Exit::Side, section, next, face, side.target.bits}, at);
+            ways.add(Way{here, Exit::Side, section, next, face, side.target.bits});
             left &= ~here;
             if (left == 0) break;
         }
-        if (left != 0) visit(Way{left, Exit::Side, section, next, top, scene.side_faces[top].target.bits}, at);
+        if (left != 0) ways.add(Way{left, Exit::Side, section, next, top, scene.side_faces[top].target.bits});
     }
-    if (by_floor != 0) visit(Way{by_floor, Exit::Floor, no_section, no_section, 0, cell.floor.bits}, at);
-    if (by_ceiling != 0) visit(Way{by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling.bits}, at);
-    return mask & (~accepting.seen | accepting.several);
+    if (by_floor != 0) ways.add(Way{by_floor, Exit::Floor, no_section, no_section, 0, cell.floor.bits});
+    if (by_ceiling != 0) ways.add(Way{by_ceiling, Exit::Ceiling, no_section, no_section, 0, cell.ceiling.bits});
+    ways.alone |= mask & (~accepting.seen | accepting.several);
 }
 
 }  // namespace HWY_NAMESPACE

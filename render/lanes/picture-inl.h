@@ -101,7 +101,7 @@ HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const 
     for (Bits left = seen.mirrors; left != 0; left &= left - 1) events.began_walk();
     const Rays<N> turned = mirrored(rays, seen.mirror_level);
     Seen<N> reflected(seen.job, seen.scene, turned.direction, true);
-    walk_together(seen.scene, turned, seen.mirror_groups, Unlimited{}, tints, reflected, events);
+    walk_together(seen.scene, turned, seen.mirror_groups, tints, reflected, events);
     const Light<N> more = light_of(reflected, inverse_length, tints);
     const Floats<N> share(seen.job.mirror_floor), rest(1 - seen.job.mirror_floor);
     light = choose_light(
@@ -305,7 +305,7 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
     Tints<N> tints;
     Groups start;
     start.add(bundle.cell, active);
-    walk_together(scene, rays, start, Unlimited{}, tints, seen, events);
+    walk_together(scene, rays, start, tints, seen, events);
 
     const F squared = dot_lanes(rays.direction, rays.direction);
     F inverse_length = quick_inverse_root(squared);

@@ -48,7 +48,7 @@ struct Seen {
     Seen(const detail::TileJob& job_, const accel::SceneView& scene_, const Points<N>& direction_, bool is_mirrored_)
         : job(job_), scene(scene_), direction(direction_), is_mirrored(is_mirrored_) {}
 
-    HWY_INLINE void hit(const Way& way, std::uint32_t cell, const auto&...) {
+    HWY_INLINE void hit(const Way& way, std::uint32_t cell) {
         const accel::SourceFace& face = scene.source_faces[way.target_bits];
         if (face.surface == accel::Surface::Sky) {
             sky |= way.rays;
@@ -69,9 +69,7 @@ struct Seen {
             mirror_level = choose(way.rays, Floats<N>(scene.cells[cell].z_floor), mirror_level);
         }
     }
-    HWY_INLINE void reached(Bits, std::uint32_t) {}
-    HWY_INLINE void leaked(Bits which, std::uint32_t) { leaks |= which; }
-    HWY_INLINE Bits enter(Bits, std::uint32_t) { return 0; }
+    HWY_INLINE void leaked(Bits which) { leaks |= which; }
 };
 
 template <int N>
