@@ -43,7 +43,9 @@ std::vector<BuildingScene> building_scenes() {
         std::error_code absent;
         std::vector<BuildingScene> found;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder, absent))
-            if (entry.path().extension() == ending) found.push_back({name_for(entry.path()), entry.path().string()});
+            // plans/examples holds tours as well: NAME.views.json
+            if (entry.path().extension() == ending && entry.path().stem().extension() != ".views")
+                found.push_back({name_for(entry.path()), entry.path().string()});
         std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.plan < b.plan; });
         scenes.insert(scenes.end(), found.begin(), found.end());
     };
