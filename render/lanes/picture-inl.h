@@ -170,63 +170,63 @@ HWY_INLINE const accel::SourceFace* plain_face(const detail::TileJob& job, const
     return face.surface == accel::Surface::Sky || is_dark_mirror ? nullptr : &face;
 }
 
-/// A block whose rays end at several faces of one cell. Returns false, having done nothing, where some go on.
-template <int N>
-HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::SceneView& scene, const Outlook& outlook,
-                                    Vec3f tint, const Rectangle& at, const Points<N>& d) {
+/// Counts a block's walks, and how many cells they entered. Its sections were asked for by outlooks, not line by line.
+template <int N, class Events>
+HWY_INLINE void count_block(const Rectangle& at, std::uint64_t cells, Events& events) {
+    for (Bits left = rays_within<N>(at); left != 0; left &= left - 1) events.began_walk();
+    for (std::uint64_t i = 0; i < cells; ++i) events.entered_cell(0);
+}
+
+/// A block whose rays end at several faces, and may cross several clear portals before. Returns false, having done
+/// nothing, where some cross glass, see the sky or a mirror, or are in doubt.
+template <int N, class Events>
+HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::SceneView& scene, std::uint32_t start,
+                                    Outlooks& outlooks, Vec3f tint, const Rectangle& at, const Points<N>& d,
+                                    std::uint64_t cells, Events& events) {
     using F = Floats<N>;
-    if (!outlook.is_known) return false;
-    const float eye_z = job.camera->origin.z;
-    const Bits descends = is_less(d.z, F(0)), climbs = is_less(F(0), d.z);
-    const accel::Cell& cell = scene.cells[outlook.cell];
-    Rays<N> lines;
-    if (outlook.size > 1) lines = make_rays(everywhere<N>(job.camera->origin), d);
+    const EyeRays<N> rays(outlooks, job.camera->origin, d);
     FaceLanes<N> lanes;
-    Bits seen = 0, by_floor = 0, by_ceiling = 0, q_left = 0;
-    std::uint32_t tested = no_section;
-    for (std::uint32_t k = 0; k < outlook.size; ++k) {
-        const Outlook::Section& s = outlook.section[k];
-        if (HWY_UNLIKELY(s.is_near)) return false;
-        Bits left = all_bits<N>;
-        if (outlook.size > 1) {
-            const Bits p_left = tested == s.index ? q_left : is_less(lines.threshold, sides_of(lines, s.px, s.py));
-            q_left = is_less(lines.threshold, sides_of(lines, s.qx, s.qy));
-            tested = s.next;
-            left = ~p_left & q_left & all_bits<N>;
+    Groups lists[2];
+    lists[0].add(start, all_bits<N>);
+    const Bits within = rays_within<N>(at);
+    constexpr int most_steps = 64;  // the others are walked as any
+    for (int step = 0; step < most_steps; ++step) {
+        const Groups& now = lists[step & 1];
+        Groups& next = lists[~step & 1];
+        next.size = 0;
+        for (int g = 0; g < now.size; ++g) {
+            const Group group = now.of[g];
+            for (Bits left = group.rays & within; left != 0; left &= left - 1) ++cells;
+            Ways<N> ways;
+            leave_cell_by(scene, rays, outlooks.on(group.cell), group.rays, ways);
+            if (ways.alone != 0) return false;
+            for (int i = 0; i < ways.size; ++i) {
+                const Way& way = ways.of[i];
+                const accel::Target target = way.target();
+                if (target.is_portal()) {
+                    if (target.is_glass()) return false;
+                    next.add(static_cast<std::uint32_t>(target.neighbour()), way.rays);
+                    continue;
+                }
+                const accel::SourceFace* face = plain_face(job, scene, way.exit, target);
+                if (face == nullptr) return false;
+                const Vec3f colour = tint * colour_of(scene, *face);
+                if (way.exit == Exit::Side) {
+                    const float nx = scene.section_y[way.next_section] - scene.section_y[way.section];
+                    const float ny = scene.section_x[way.section] - scene.section_x[way.next_section];
+                    lanes.put(way.rays, fused_lanes(F(nx), d.x, F(ny) * d.y), nx * nx + ny * ny, colour);
+                } else {
+                    lanes.put(way.rays, magnitude_of(d.z), 1, colour);
+                }
+            }
         }
-        if (left == 0) continue;
-        if ((seen & left) != 0) return false;
-        seen |= left;
-        const F den = fused_lanes(F(s.nx), d.x, F(s.ny) * d.y);
-        const F rise = F(s.away) * d.z;
-        const Bits down = left & descends & is_less(rise, F(cell.z_floor - eye_z) * den);
-        const Bits up = left & climbs & ~is_less(rise, F(cell.z_ceiling - eye_z) * den);
-        by_floor |= down;
-        by_ceiling |= up;
-        left &= ~(down | up);
-        for (std::uint32_t face = s.first_face; left != 0; ++face) {
-            const accel::SideFace& side = scene.side_faces[face];
-            const Bits here = face == s.top_face ? left : left & is_less(rise, F(side.z_top - eye_z) * den);
-            if (here == 0) continue;
-            const accel::SourceFace* source = plain_face(job, scene, Exit::Side, side.target);
-            if (source == nullptr) return false;
-            lanes.put(here, den, s.squared, tint * colour_of(scene, *source));
-            left &= ~here;
+        if (next.size == 0) {
+            count_block<N>(at, cells, events);
+            store_face(job, at, lanes.facing, lanes.normal_squared, d, lanes);
+            return true;
         }
     }
-    if (seen != all_bits<N>) return false;
-    if (by_floor != 0) {
-        const accel::SourceFace* source = plain_face(job, scene, Exit::Floor, cell.floor);
-        if (source == nullptr) return false;
-        lanes.put(by_floor, magnitude_of(d.z), 1, tint * colour_of(scene, *source));
-    }
-    if (by_ceiling != 0) {
-        const accel::SourceFace* source = plain_face(job, scene, Exit::Ceiling, cell.ceiling);
-        if (source == nullptr) return false;
-        lanes.put(by_ceiling, magnitude_of(d.z), 1, tint * colour_of(scene, *source));
-    }
-    store_face(job, at, lanes.facing, lanes.normal_squared, d, lanes);
-    return true;
+    return false;
 }
 
 /// A block all of whose rays go one way until they end, perhaps at several faces of one cell: most do. Returns false,
@@ -242,7 +242,9 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
     constexpr std::uint64_t most_cells = 64;  // the others are walked as any
     for (std::uint64_t cells = 1; cells <= most_cells; ++cells) {
         const Outlook& outlook = outlooks.on(id);
-        const auto try_mixed = [&]() HWY_ATTR { return trace_mixed_block(job, scene, outlook, tint, at, d); };
+        const auto try_mixed = [&]() HWY_ATTR {
+            return trace_mixed_block(job, scene, id, outlooks, tint, at, d, N * (cells - 1), events);
+        };
         if (!outlook.is_plain()) return try_mixed();
         const Outlook::Section& s = outlook.section[0];
         const accel::Cell& cell = scene.cells[id];
@@ -283,8 +285,7 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
         const accel::SourceFace* face = plain_face(job, scene, way.exit, way.target());
         if (face == nullptr) return false;
         const FaceColour<N> colour(tint * colour_of(scene, *face));
-        for (int i = 0; i < N; ++i) events.began_walk();
-        for (std::uint64_t i = 0; i < N * cells; ++i) events.entered_cell(0);  // no section was asked for by name
+        count_block<N>(at, N * cells, events);
         if (way.exit == Exit::Side) store_face(job, at, den, F(s.squared), d, colour);
         else store_face(job, at, magnitude_of(d.z), F(1), d, colour);
         return true;
