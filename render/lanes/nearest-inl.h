@@ -19,27 +19,15 @@ public:
           farthest_(2 * extent_of(scene_)),
           alone_(job, detail::kernels().nearest) {}
 
-    void run() {
-        constexpr std::uint64_t most = std::uint64_t(1) << Queues::ray_bits;
-        for (first_ = job_.begin; first_ < job_.end; first_ += most) {
-            const std::uint64_t end = job_.end - first_ < most ? job_.end : first_ + most;
-            if (!queues_.exist()) {
-                for (std::uint64_t k = first_; k < end; ++k) alone_.add(columns_.ray_at(k));
-                continue;
-            }
-            for (std::uint64_t k = first_; k < end; k += lane_count) {
-                begin(k, end - k < lane_count ? static_cast<std::uint32_t>(end - k) : lane_count);
-                queues_.serve_full(*this);
-            }
-            queues_.serve_all(*this);
-        }
-        alone_.flush();
-    }
+    void run() { serve_stream(*this); }
 
     /// Rays that waited leave their cell.
     HWY_INLINE void step(const Waiting& rays, std::uint32_t cell, Mask mask) { step(rays, cell, mask, {false, 0}); }
 
 private:
+    template <class Walk>
+    friend void serve_stream(Walk& walk);
+
     /// Where answers go: to neighbours in the stream, or to each ray's place.
     struct Places {
         bool are_neighbours;

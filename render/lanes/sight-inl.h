@@ -42,22 +42,7 @@ public:
           margin_(noise_ + 2 * static_cast<float>(scene_.unit)),
           alone_(job, detail::kernels().visible) {}
 
-    void run() {
-        constexpr std::uint64_t most = std::uint64_t(1) << Queues::ray_bits;
-        for (first_ = job_.begin; first_ < job_.end; first_ += most) {
-            const std::uint64_t end = job_.end - first_ < most ? job_.end : first_ + most;
-            if (!queues_.exist()) {
-                for (std::uint64_t k = first_; k < end; ++k) alone_.add(columns_.ray_at(k));
-                continue;
-            }
-            for (std::uint64_t k = first_; k < end; k += lane_count) {
-                begin(k, end - k < lane_count ? static_cast<std::uint32_t>(end - k) : lane_count);
-                queues_.serve_full(*this);
-            }
-            queues_.serve_all(*this);
-        }
-        alone_.flush();
-    }
+    void run() { serve_stream(*this); }
 
     /// Rays of the mask leave their cell, each by its own section.
     HWY_INLINE void step(const Waiting& rays, std::uint32_t cell, Mask mask) {
@@ -83,6 +68,9 @@ public:
     }
 
 private:
+    template <class Walk>
+    friend void serve_stream(Walk& walk);
+
     HWY_INLINE static Numbers neighbours(Numbers target) {
         return hn::And(target, hn::Set(DI(), static_cast<std::int32_t>(accel::Target::index_mask)));
     }

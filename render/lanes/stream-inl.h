@@ -76,6 +76,26 @@ private:
     std::uint32_t rays_[most];
 };
 
+/// All rays of a walk's stream: as many as its queues number at a time, a register after the other. Those that wait are
+/// served when a register is full of them, and at the end.
+template <class Walk>
+void serve_stream(Walk& walk) {
+    constexpr std::uint64_t most = std::uint64_t(1) << Queues::ray_bits;
+    for (walk.first_ = walk.job_.begin; walk.first_ < walk.job_.end; walk.first_ += most) {
+        const std::uint64_t end = walk.job_.end - walk.first_ < most ? walk.job_.end : walk.first_ + most;
+        if (!walk.queues_.exist()) {
+            for (std::uint64_t k = walk.first_; k < end; ++k) walk.alone_.add(walk.columns_.ray_at(k));
+            continue;
+        }
+        for (std::uint64_t k = walk.first_; k < end; k += lane_count) {
+            walk.begin(k, end - k < lane_count ? static_cast<std::uint32_t>(end - k) : lane_count);
+            walk.queues_.serve_full(walk);
+        }
+        walk.queues_.serve_all(walk);
+    }
+    walk.alone_.flush();
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace enfilade::render
 HWY_AFTER_NAMESPACE();
