@@ -21,7 +21,7 @@ enum class Shading {
 };
 
 struct TraceOptions {
-    Tracer tracer = Tracer::Packet;
+    Tracer tracer = Tracer::Packet;          ///< of uncut `Shading::Lambert` with one sample; others go ray by ray
     Precision precision = Precision::Float;  ///< of the walk; Double is walked by Tracer::Scalar alone
     PacketSizes packets;
     Shading shading = Shading::Look;

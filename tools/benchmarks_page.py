@@ -12,6 +12,7 @@ TITLES = {
     "cells": "Tracing through cells",
     "queries": "Files of rays",
     "convexify": "Cutting rooms into cells",
+    "edit": "Boxes put into buildings, and taken out",
     "dial": "What each option costs",
 }
 NOTES = {
