@@ -9,11 +9,15 @@
 namespace enfilade::render {
 inline namespace ENFILADE_ISA {
 
-/// Whether a walk ended at a mirror: at a floor of rooms, from above. The ground outdoors is none.
+/// Whether a face that is met by this exit is a mirror: a floor of rooms, from above. The ground outdoors is none.
+ENFILADE_HD bool is_mirror(const accel::SourceFace& face, Exit exit) {
+    return exit == Exit::Floor && face.surface == accel::Surface::Floor;
+}
+
+/// Whether a walk ended at a mirror.
 template <class T>
 ENFILADE_HD bool is_mirror_hit(const accel::SceneView& scene, const WalkEnd<T>& end) {
-    return end.exit == Exit::Floor && end.status == WalkStatus::Hit &&
-           scene.source_faces[end.target.bits].surface == accel::Surface::Floor;
+    return end.status == WalkStatus::Hit && is_mirror(scene.source_faces[end.target.bits], end.exit);
 }
 
 /// The ray that the level mirror at height `z` makes of `ray`, to be walked on from the cell whose floor the mirror is.

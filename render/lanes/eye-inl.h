@@ -58,7 +58,7 @@ struct LineSides {
 /// Sections that a ray between the corners may leave by: those that begin on the right of some ray and end on the left
 /// of some. Counted from the cell's first.
 struct Candidates {
-    static constexpr std::uint32_t most = 64;
+    static constexpr std::uint32_t most = 12;
     std::uint32_t size = 0;
     std::uint32_t section[most];
 
@@ -90,7 +90,7 @@ private:
 
 /// A cell as rays from one point between four corners see it: the few sections by which they may leave it.
 struct Outlook {
-    static constexpr std::uint32_t most = 12;
+    static constexpr std::uint32_t most = Candidates::most;
     struct Section {
         std::uint32_t index, next;  ///< in the scene
         float px, py, qx, qy;       ///< where it begins and ends
@@ -170,7 +170,7 @@ private:
     [[nodiscard]] HWY_INLINE const Outlook* narrow_one_on(std::uint32_t cell) const {
         for (const Outlooks* wider = around_; wider != nullptr; wider = wider->around_) {
             const Outlook& outlook = wider->outlooks_[cell % remembered];
-            if (outlook.cell == cell && outlook.size <= narrow) return &outlook;
+            if (outlook.cell == cell && outlook.is_known && outlook.size <= narrow) return &outlook;
         }
         return nullptr;
     }

@@ -169,6 +169,10 @@ HWY_NOINLINE void fill_layers(F d, const Canvas& canvas, const Rectangle& at, co
     }
 }
 
+/// A channel of a pixel that faces the light, of 255. The cosine's root, by which it is multiplied, is at most 1 by
+/// what is lost in approximating it, which rounding takes off.
+HWY_INLINE float full_channel(float colour) { return 255.0f * (colour < 1 ? root(colour) : 1.0f); }
+
 /// One face into a framebuffer: root(cosine) times the roots of its colour's channels.
 struct FaceFill {
     const Canvas& canvas;
@@ -178,13 +182,9 @@ struct FaceFill {
     HWY_INLINE FaceFill(const Canvas& canvas_, const Layer& face)
         : canvas(canvas_),
           cosine(along(*canvas_.job.camera, face.normal)),
-          r(full(face.scale.x)),
-          g(full(face.scale.y)),
-          b(full(face.scale.z)) {}
-
-private:
-    /// The cosine's root is at most 1 by what is lost in approximating it, which rounding to 255 takes off.
-    static HWY_INLINE V full(float colour) { return hn::Set(D(), 255.0f * (colour < 1 ? root(colour) : 1.0f)); }
+          r(hn::Set(D(), full_channel(face.scale.x))),
+          g(hn::Set(D(), full_channel(face.scale.y))),
+          b(hn::Set(D(), full_channel(face.scale.z))) {}
 };
 
 /// Centres of the pixels that one register holds: rows of C.

@@ -117,13 +117,6 @@ ENFILADE_COMPARE(is_at_most, Le)
 ENFILADE_COMPARE(is_equal, Eq)
 #undef ENFILADE_COMPARE
 
-/// Writes a number to some lanes of an array.
-template <int N>
-HWY_INLINE void set_lanes(Bits bits, std::uint32_t value, std::uint32_t* HWY_RESTRICT lanes) {
-    for (int k = 0; k < N / lane_count; ++k)
-        hn::BlendedStore(hn::Set(DU(), value), hn::RebindMask(DU(), mask_of(bits, k)), DU(), lanes + k * lane_count);
-}
-
 /// N points or directions.
 template <int N>
 struct Points {

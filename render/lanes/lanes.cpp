@@ -14,6 +14,7 @@
 
 #include "render/framebuffer.h"
 #include "render/kernel.h"
+#include "render/mirror.h"
 #include "render/shade.h"
 #include "render/walk.h"
 

@@ -14,11 +14,6 @@ HWY_INLINE Points<N> directions(const CameraFrame& camera, const Floats<N>& x, c
             (F(camera.corner.z) + x * F(camera.du.z)) + y * F(camera.dv.z)};
 }
 
-template <int N>
-HWY_INLINE Points<N> everywhere(Vec3f p) {
-    return {Floats<N>(p.x), Floats<N>(p.y), Floats<N>(p.z)};
-}
-
 /// Where a bundle of rays from the camera is: through which cell, glass and mirror it has come.
 struct Bundle {
     std::uint32_t cell;
@@ -120,10 +115,8 @@ HWY_NOINLINE Floats<N> exact_inverse_root(const Floats<N>& a) {
 template <int N>
 struct FaceColour {
     Floats<N> r, g, b;
-    HWY_INLINE explicit FaceColour(Vec3f colour) : r(full(colour.x)), g(full(colour.y)), b(full(colour.z)) {}
-
-private:
-    static HWY_INLINE float full(float channel) { return 255.0f * (channel < 1 ? root(channel) : 1.0f); }
+    HWY_INLINE explicit FaceColour(Vec3f colour)
+        : r(full_channel(colour.x)), g(full_channel(colour.y)), b(full_channel(colour.z)) {}
 };
 
 /// Stores a block lit by the lamp at the eye; facing: normal . direction, with the square of the normal's length
@@ -154,20 +147,18 @@ struct FaceLanes {
     HWY_INLINE void put(Bits rays, const Floats<N>& facing_, float normal_squared_, Vec3f colour) {
         facing = choose(rays, facing_, facing);
         normal_squared = choose(rays, Floats<N>(normal_squared_), normal_squared);
-        const auto full = [](float channel) HWY_ATTR { return 255.0f * (channel < 1 ? root(channel) : 1.0f); };
-        r = choose(rays, Floats<N>(full(colour.x)), r);
-        g = choose(rays, Floats<N>(full(colour.y)), g);
-        b = choose(rays, Floats<N>(full(colour.z)), b);
+        r = choose(rays, Floats<N>(full_channel(colour.x)), r);
+        g = choose(rays, Floats<N>(full_channel(colour.y)), g);
+        b = choose(rays, Floats<N>(full_channel(colour.z)), b);
     }
 };
 
 /// A face that nothing but its own light comes from; nullptr for portals, the sky and mirrors.
-HWY_INLINE const accel::SourceFace* plain_face(const detail::TileJob& job, const accel::SceneView& scene, Exit exit,
-                                               accel::Target target) {
-    if (target.is_portal()) return nullptr;
-    const accel::SourceFace& face = scene.source_faces[target.bits];
-    const bool is_dark_mirror = job.mirror_floor > 0 && exit == Exit::Floor && face.surface == accel::Surface::Floor;
-    return face.surface == accel::Surface::Sky || is_dark_mirror ? nullptr : &face;
+HWY_INLINE const accel::SourceFace* plain_face(const detail::TileJob& job, const accel::SceneView& scene,
+                                               const Way& way) {
+    if (way.target().is_portal()) return nullptr;
+    const accel::SourceFace& face = scene.source_faces[way.target_bits];
+    return face.surface == accel::Surface::Sky || is_mirror(job, way, face) ? nullptr : &face;
 }
 
 /// Counts a block's walks, and how many cells they entered. Its sections were asked for by outlooks, not line by line.
@@ -208,7 +199,7 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
                     next.add(static_cast<std::uint32_t>(target.neighbour()), way.rays);
                     continue;
                 }
-                const accel::SourceFace* face = plain_face(job, scene, way.exit, target);
+                const accel::SourceFace* face = plain_face(job, scene, way);
                 if (face == nullptr) return false;
                 const Vec3f colour = tint * colour_of(scene, *face);
                 if (way.exit == Exit::Side) {
@@ -282,7 +273,7 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
             id = static_cast<std::uint32_t>(way.target().neighbour());
             continue;
         }
-        const accel::SourceFace* face = plain_face(job, scene, way.exit, way.target());
+        const accel::SourceFace* face = plain_face(job, scene, way);
         if (face == nullptr) return false;
         const FaceColour<N> colour(tint * colour_of(scene, *face));
         count_block<N>(at, N * cells, events);

@@ -16,7 +16,7 @@ HWY_INLINE Vec3f outward_normal(const accel::SceneView& scene, const Way& way) {
 }
 
 HWY_INLINE bool is_mirror(const detail::TileJob& job, const Way& way, const accel::SourceFace& face) {
-    return job.mirror_floor > 0 && way.exit == Exit::Floor && face.surface == accel::Surface::Floor;
+    return job.mirror_floor > 0 && is_mirror(face, way.exit);
 }
 
 /// The rays as a level floor mirrors them: the same line in plan, from the mirrored origin.
