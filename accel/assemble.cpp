@@ -6,6 +6,7 @@
 
 #include "accel/certificate.h"
 #include "accel/locator.h"
+#include "accel/placement.h"
 #include "accel/scene_file.h"
 #include "accel/scene_image.h"
 #include "accel/sha256.h"
@@ -49,6 +50,7 @@ public:
         lay_out_cells();
         lay_out_source_faces();
         lay_out_names();
+        lay_out_objects();
         SceneView view;
         view.cells = {cells_.data(), cells_.size()};
         view.section_x = {x_.data(), x_.size()};
@@ -205,6 +207,64 @@ private:
                                space.area_m2});
     }
 
+    void lay_out_objects() {
+        for (std::size_t i = 0; i < input_.meshes.size(); ++i) lay_out_mesh(i);
+        for (std::size_t i = 0; i < input_.objects.size(); ++i) lay_out_object(i);
+        if (input_.objects.empty()) return;
+        if (input_.cell_objects.size() != cells_.size()) refuse("F10", "the scene's cells do not list their objects");
+        for (std::size_t c = 0; c < cells_.size(); ++c) {
+            cell_object_offsets_.push_back(static_cast<std::uint32_t>(cell_objects_.size()));
+            for (const std::uint32_t object : input_.cell_objects[c])
+                cell_objects_.push_back(static_cast<ObjectId>(object));
+        }
+        cell_object_offsets_.push_back(static_cast<std::uint32_t>(cell_objects_.size()));
+    }
+
+    void lay_out_mesh(std::size_t i) {
+        const InputMesh& from = *input_.meshes[i];
+        if (from.triangle_materials.size() != from.triangles.size() ||
+            mesh_vertices_.size() + from.vertices.size() >= UINT32_MAX ||
+            mesh_triangles_.size() + from.triangles.size() >= UINT32_MAX)
+            refuse("F10", at("mesh", i) + " has triangles without materials, or too many of them");
+        ObjectMesh mesh = {static_cast<std::uint32_t>(mesh_vertices_.size()),
+                           static_cast<std::uint32_t>(mesh_triangles_.size()),
+                           static_cast<std::uint32_t>(from.vertices.size()),
+                           static_cast<std::uint32_t>(from.triangles.size()),
+                           {INFINITY, INFINITY, INFINITY},
+                           {-INFINITY, -INFINITY, -INFINITY},
+                           text_.add(from.name),
+                           0};
+        for (const std::array<float, 3>& v : from.vertices) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                mesh.low[k] = std::min(mesh.low[k], v[k]);
+                mesh.high[k] = std::max(mesh.high[k], v[k]);
+            }
+            mesh_vertices_.push_back({v[0], v[1], v[2]});
+        }
+        for (std::size_t t = 0; t < from.triangles.size(); ++t)
+            mesh_triangles_.push_back({from.triangles[t], static_cast<MaterialId>(from.triangle_materials[t])});
+        meshes_.push_back(mesh);
+    }
+
+    void lay_out_object(std::size_t i) {
+        const InputObject& from = input_.objects[i];
+        if (from.mesh >= meshes_.size()) refuse("F10", at("object", i) + " names a mesh that does not exist");
+        PlacedObject object = {};
+        object.mesh = static_cast<MeshId>(from.mesh);
+        object.material = from.material == UINT32_MAX ? none<MaterialId> : static_cast<MaterialId>(from.material);
+        object.space = static_cast<SpaceId>(from.space);
+        object.id = text_.add(from.id);
+        object.name = text_.add(from.name);
+        const std::optional<std::array<double, 12>> inverse = inverse_of(from.scene_from_object);
+        if (!inverse) refuse("F13", at("object", i) + " has a placement that flattens it");
+        for (std::size_t k = 0; k < 12; ++k) {
+            object.scene_from_object.rows[k] = static_cast<float>(from.scene_from_object[k]);
+            object.object_from_scene.rows[k] = static_cast<float>((*inverse)[k]);
+        }
+        bound(meshes_[from.mesh], object);
+        objects_.push_back(object);
+    }
+
     template <class T>
     void add(SectionKind kind, const char* name, const std::vector<T>& elements) {
         arrays_.push_back(
@@ -231,6 +291,16 @@ private:
             {"text", static_cast<std::uint32_t>(Text), Group::Trace, 1, std::as_bytes(std::span(text_.bytes)), {}});
         add(LocatorNodes, "locator_nodes", locator_.nodes);
         add(LocatorCells, "locator_cells", locator_.cells);
+        if (!meshes_.empty()) {
+            add(Meshes, "meshes", meshes_);
+            add(MeshVertices, "mesh_vertices", mesh_vertices_);
+            add(MeshTriangles, "mesh_triangles", mesh_triangles_);
+        }
+        if (!objects_.empty()) {
+            add(Objects, "objects", objects_);
+            add(CellObjectOffsets, "cell_object_off", cell_object_offsets_);
+            add(CellObjects, "cell_objects", cell_objects_);
+        }
         std::uint32_t id = static_cast<std::uint32_t>(FirstModel);
         for (const InputModelArray& array : input_.model) {
             if (array.name.empty() || array.name.size() > 15 || array.element_bytes == 0 ||
@@ -277,6 +347,12 @@ private:
     std::vector<Material> materials_;
     std::vector<Space> spaces_;
     TextPool text_;
+    std::vector<ObjectMesh> meshes_;
+    std::vector<Vertex> mesh_vertices_;
+    std::vector<MeshTriangle> mesh_triangles_;
+    std::vector<PlacedObject> objects_;
+    std::vector<std::uint32_t> cell_object_offsets_;
+    std::vector<ObjectId> cell_objects_;
     detail::Locator locator_;
     std::vector<SceneArray> arrays_;
 };

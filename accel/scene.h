@@ -23,6 +23,8 @@ enum class SourceFaceId : std::uint32_t {};
 enum class SpaceId : std::uint32_t {};
 enum class MaterialId : std::uint32_t {};
 enum class TextId : std::uint32_t {};
+enum class MeshId : std::uint32_t {};    ///< a mesh that objects share (the paper's clone)
+enum class ObjectId : std::uint32_t {};  ///< a mesh at its place
 
 enum class TargetKind : std::uint32_t { Solid, Clear, Virtual, Glass };
 
@@ -116,6 +118,45 @@ struct Space {
     double area_m2;
 };
 
+/// A mesh in its own space: metres, z up, its front towards -y, the middle of its bottom at the origin. Any triangles:
+/// open, crossing, without area.
+struct ObjectMesh {
+    std::uint32_t first_vertex;    ///< into `mesh_vertices`
+    std::uint32_t first_triangle;  ///< into `mesh_triangles`
+    std::uint32_t vertex_count;
+    std::uint32_t triangle_count;
+    std::array<float, 3> low;  ///< of its vertices; low > high where it has none
+    std::array<float, 3> high;
+    TextId name;
+    std::uint32_t reserved;
+};
+
+/// Corners count from the mesh's first vertex. Both sides are seen.
+struct MeshTriangle {
+    std::array<std::uint32_t, 3> corners;
+    MaterialId material;
+};
+
+/// Rows of 3 x 4 numbers: p -> (row . (p, 1)) for the three rows. Not singular, of any handedness.
+struct Placement {
+    std::array<float, 12> rows;
+};
+
+/// A mesh that stands in a room. It is seen in the cells that list it, nowhere else: what pokes through a wall of its
+/// room is cut off there.
+struct PlacedObject {
+    Placement scene_from_object;
+    Placement object_from_scene;  ///< its inverse, rounded
+    std::array<float, 3> low;     ///< its box along the axes of the scene, rounded outward
+    std::array<float, 3> high;
+    MeshId mesh;
+    MaterialId material;  ///< of the whole object; none<MaterialId>: what its triangles say
+    SpaceId space;        ///< the room that it stands in, or its own where it is a volume
+    TextId id;            ///< its own: no other object has it
+    TextId name;
+    std::uint32_t reserved;
+};
+
 /// One box of the point locator, in depth-first order: a point outside it goes on at `skip`, inside it at the next
 /// node. Leaves hold `locator_cells[first .. first + count)`.
 struct LocatorNode {
@@ -147,7 +188,15 @@ struct SceneView {
     ArrayView<char> text;                   ///< UTF-8
     ArrayView<LocatorNode> locator_nodes;
     ArrayView<CellId> locator_cells;
+    // Furniture: all of these are empty in a scene without.
+    ArrayView<ObjectMesh> meshes;
+    ArrayView<Vertex> mesh_vertices;
+    ArrayView<MeshTriangle> mesh_triangles;
+    ArrayView<PlacedObject> objects;               ///< by ascending id
+    ArrayView<std::uint32_t> cell_object_offsets;  ///< [cell_count + 1] into `cell_objects`
+    ArrayView<ObjectId> cell_objects;              ///< of each cell, ascending: whose box shares a place with it
 
+    ENFILADE_HD bool has_objects() const { return objects.count != 0; }
     ENFILADE_HD std::size_t section_count() const { return section_x.size() - 1; }
     ENFILADE_HD std::size_t source_face_count() const { return source_faces.size() - 1; }
     [[nodiscard]] std::string_view string(TextId id) const {
@@ -158,6 +207,7 @@ struct SceneView {
 
 static_assert(sizeof(Cell) == 32 && sizeof(SectionTail) == 4 && sizeof(SideFace) == 8 && sizeof(Portal) == 12);
 static_assert(sizeof(SourceFace) == 16 && sizeof(Material) == 16 && sizeof(Space) == 32 && sizeof(LocatorNode) == 32);
+static_assert(sizeof(ObjectMesh) == 48 && sizeof(MeshTriangle) == 16 && sizeof(PlacedObject) == 144);
 static_assert(std::is_trivially_copyable_v<SceneView>);
 
 /// Which part of the file an array belongs to (1-architecture, decision 7 of the design).

@@ -48,7 +48,7 @@ struct SectionEntry {
 };
 static_assert(sizeof(SectionEntry) == 96);
 
-/// Ids of the sections. 32-63 are kept for objects, octrees, lights and their trees; from 1000 on the model's arrays.
+/// Ids of the sections. 38-63 are kept for octrees, lights and their trees; from 1000 on the model's arrays.
 enum class SectionKind : std::uint32_t {
     Cells = 1,
     CellPortals,
@@ -67,6 +67,12 @@ enum class SectionKind : std::uint32_t {
     Text,
     LocatorNodes,
     LocatorCells,
+    Meshes = 32,
+    MeshVertices,
+    MeshTriangles,
+    Objects,
+    CellObjectOffsets,
+    CellObjects,
     Certificate = 900,
     FirstModel = 1000
 };

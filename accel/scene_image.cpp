@@ -131,6 +131,12 @@ private:
             case SectionKind::Text: return bind_one(view.text, array);
             case SectionKind::LocatorNodes: return bind_one(view.locator_nodes, array);
             case SectionKind::LocatorCells: return bind_one(view.locator_cells, array);
+            case SectionKind::Meshes: return bind_one(view.meshes, array);
+            case SectionKind::MeshVertices: return bind_one(view.mesh_vertices, array);
+            case SectionKind::MeshTriangles: return bind_one(view.mesh_triangles, array);
+            case SectionKind::Objects: return bind_one(view.objects, array);
+            case SectionKind::CellObjectOffsets: return bind_one(view.cell_object_offsets, array);
+            case SectionKind::CellObjects: return bind_one(view.cell_objects, array);
             default: return;  // a section of a later version: carried, not used
         }
     }

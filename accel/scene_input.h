@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,24 @@ struct InputSpace {
     double area_m2 = 0;
 };
 
+/// A triangle soup in its own space (accel/scene.h, ObjectMesh): metres.
+struct InputMesh {
+    std::string name;
+    std::vector<std::array<float, 3>> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::uint32_t> triangle_materials;  ///< [triangle count] into SceneInput::materials
+};
+
+/// A mesh at its place.
+struct InputObject {
+    std::string id;
+    std::string name;
+    std::uint32_t mesh = 0;                      ///< into `meshes`
+    std::uint32_t material = UINT32_MAX;         ///< of the whole object; UINT32_MAX: what its triangles say
+    std::uint32_t space = 0;                     ///< into `spaces`
+    std::array<double, 12> scene_from_object{};  ///< rows of 3 x 4 numbers
+};
+
 /// An array that travels in the file for `modeler` and is opaque to `accel`.
 struct InputModelArray {
     std::string name;  ///< at most 15 characters
@@ -98,7 +117,10 @@ struct SceneInput {
     std::vector<std::array<std::int32_t, 3>> vertices;  ///< of source faces, grid units
     std::vector<InputMaterial> materials;
     std::vector<InputSpace> spaces;
-    std::vector<InputModelArray> model;  ///< empty: a stripped scene
+    std::vector<std::shared_ptr<const InputMesh>> meshes;
+    std::vector<InputObject> objects;                      ///< by ascending id
+    std::vector<std::vector<std::uint32_t>> cell_objects;  ///< [cell count], each ascending; empty without objects
+    std::vector<InputModelArray> model;                    ///< empty: a stripped scene
     InputCertificate certificate;
 };
 

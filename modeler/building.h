@@ -12,6 +12,7 @@
 #include "gmap/defect.h"
 #include "gmap/map.h"
 #include "modeler/cutting/cut.h"
+#include "modeler/objects/furnishing.h"
 #include "modeler/stack.h"
 #include "plans/grid.h"
 
@@ -83,6 +84,8 @@ struct Building {
     bool opaque_glass = false;
     double max_deviation = 0;  ///< grid units that snap rounding moved an edge at most
     double sagitta = 0.002;    ///< metres: chord error of curved walls that was asked for
+
+    Furnishing furnishing;  ///< what stands in its rooms
 
     std::string plan_json;          ///< the cleaned plan, canonical
     Stack stack;                    ///< what the volumes were made from; empty in a building read back from a scene

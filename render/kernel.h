@@ -7,6 +7,7 @@
 #include "accel/scene.h"
 #include "render/camera.h"
 #include "render/look.h"
+#include "render/object_tracer.h"
 #include "render/trace_rays.h"
 #include "render/tracer.h"
 
@@ -25,10 +26,11 @@ struct TileJob {
     std::uint32_t start_cell;
     bool is_cut;  ///< dollhouse: rays start where they fall through the height cut_z
     float cut_z;
-    float mirror_floor;   ///< share of light that floors reflect
-    PacketSizes packets;  ///< of the packet tracer
-    RayStats* stats;      ///< nullptr: not counted
-    bool is_double;       ///< walked in double precision, the same rays; the scalar loops alone do
+    float mirror_floor;           ///< share of light that floors reflect
+    PacketSizes packets;          ///< of the packet tracer
+    RayStats* stats;              ///< nullptr: not counted
+    bool is_double;               ///< walked in double precision, the same rays; the scalar loops alone do
+    const ObjectTracer* objects;  ///< nullptr: rooms are seen bare
 };
 
 struct RayJob {
@@ -50,8 +52,11 @@ struct StreamJob {
     accel::SourceFaceId* source_face;
     accel::CellId* cell;
     WalkStatus* status;
-    const std::uint32_t* order;  ///< which rays, in this order; nullptr: 0, 1, 2...
-    std::uint64_t begin, end;    ///< places in that order
+    accel::ObjectId* object;
+    std::uint32_t* triangle;
+    const ObjectTracer* objects;  ///< nullptr: rooms are walked bare
+    const std::uint32_t* order;   ///< which rays, in this order; nullptr: 0, 1, 2...
+    std::uint64_t begin, end;     ///< places in that order
     RayStats* stats;
 };
 
@@ -63,6 +68,7 @@ struct SegmentJob {
     const accel::CellId* from_cell;
     const accel::CellId* to_cell;  ///< nullptr: not known
     std::uint8_t* visible;
+    const ObjectTracer* objects;  ///< nullptr: nothing stands in the rooms
     const std::uint32_t* order;
     std::uint64_t begin, end;
     RayStats* stats;

@@ -6,6 +6,7 @@
 
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
+#include "render/object_tracer.h"
 #include "render/tracer.h"
 #include "render/walk_events.h"
 
@@ -25,6 +26,8 @@ struct HitColumns {
     std::span<accel::SourceFaceId> source_face;  ///< none<SourceFaceId> where no face was hit
     std::span<accel::CellId> cell;               ///< the last one
     std::span<WalkStatus> status;
+    std::span<accel::ObjectId> object;  ///< none<ObjectId> where no object was hit
+    std::span<std::uint32_t> triangle;  ///< of the object's mesh; no_triangle where no object was hit
 };
 
 /// Segments from p to q as columns: metres, scene frame.
@@ -44,6 +47,7 @@ struct StreamOptions {
     Tracer tracer = Tracer::Packet;  ///< Packet: whichever is fastest
     StreamOrder order = StreamOrder::Coherent;
     const accel::Executor* executor = nullptr;  ///< nullptr: the calling thread. Results do not depend on it.
+    const ObjectTracer* objects = nullptr;      ///< nullptr: rooms are walked without what stands in them
     RayStats* stats = nullptr;
 };
 

@@ -9,6 +9,7 @@
 #include "render/framebuffer.h"
 #include "render/image.h"
 #include "render/look.h"
+#include "render/object_tracer.h"
 #include "render/trace_rays.h"
 #include "render/tracer.h"
 #include "render/walk_events.h"
@@ -31,6 +32,7 @@ struct TraceOptions {
     std::optional<accel::CellId> start;         ///< the cell that holds the eye, where it is known; else looked for
     std::optional<double> cut_z;                ///< dollhouse: whatever lies above this height (metres) is not seen
     const accel::Executor* executor = nullptr;  ///< nullptr: all cores. The image does not depend on it.
+    const ObjectTracer* objects = nullptr;      ///< nullptr: where the scene has objects, built for this picture
     RayStats* stats = nullptr;                  ///< where given, what happened to the rays is added
 };
 
@@ -43,6 +45,7 @@ struct LambertOptions {
     Tracer tracer = Tracer::Packet;
     PacketSizes packets;
     float mirror_floor = 0;
+    const ObjectTracer* objects = nullptr;  ///< nullptr: rooms are seen without what stands in them
     RayStats* stats = nullptr;
 };
 

@@ -11,7 +11,8 @@ enum class WalkStatus : std::uint32_t {
     Hit,      ///< ends at a source face, solid or Sky
     Reached,  ///< the distance limit lies inside `cell`
     Leak,     ///< did not end within the bound on steps: a defect
-    Refused   ///< was no ray: a number is NaN or infinite, or the direction is zero
+    Refused,  ///< was no ray: a number is NaN or infinite, or the direction is zero
+    Object    ///< ends at a triangle of an object
 };
 
 enum class Exit : std::uint32_t { Side, Floor, Ceiling };
