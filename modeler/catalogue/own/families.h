@@ -1,0 +1,12 @@
+#pragma once
+// The families of our own pieces; each adds its own.
+
+#include "modeler/catalogue/own/piece.h"
+
+namespace enfilade::modeler::own {
+
+void add_chairs(Pieces& pieces);
+void add_sofas(Pieces& pieces);
+void add_tables(Pieces& pieces);
+
+}  // namespace enfilade::modeler::own
