@@ -1,0 +1,100 @@
+#include <vector>
+
+#include "render/object_tracer.h"
+#include "render/plain_bvh.h"
+#if defined(ENFILADE_HAS_EMBREE)
+#include "render/embree_objects.h"
+#endif
+
+namespace enfilade::render {
+namespace {
+
+constexpr std::uint32_t large_mesh = 1 << 16;  ///< triangles: cores share the work on one
+
+void nearest(const void* state, accel::MeshId mesh, ObjectRay& ray) {
+    bvh_walk<false>(static_cast<const BvhView*>(state)[static_cast<std::uint32_t>(mesh)], ray);
+}
+
+bool blocked(const void* state, accel::MeshId mesh, const ObjectRay& ray) {
+    ObjectRay asked = ray;
+    return bvh_walk<true>(static_cast<const BvhView*>(state)[static_cast<std::uint32_t>(mesh)], asked);
+}
+
+void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    const BvhView& bvh = static_cast<const BvhView*>(state)[static_cast<std::uint32_t>(mesh)];
+    for (int i = 0; i < ObjectRays::count; ++i) {
+        if (valid[i] == 0) continue;
+        ObjectRay ray = {rays.origin_x[i],
+                         rays.origin_y[i],
+                         rays.origin_z[i],
+                         rays.near[i],
+                         rays.direction_x[i],
+                         rays.direction_y[i],
+                         rays.direction_z[i],
+                         0,
+                         rays.far[i],
+                         ~0u,
+                         0,
+                         0,
+                         0,
+                         0,
+                         0,
+                         0,
+                         0,
+                         rays.triangle[i],
+                         0,
+                         0};
+        if (!bvh_walk<false>(bvh, ray)) continue;
+        rays.far[i] = ray.far;
+        rays.normal_x[i] = ray.normal_x;
+        rays.normal_y[i] = ray.normal_y;
+        rays.normal_z[i] = ray.normal_z;
+        rays.u[i] = ray.u;
+        rays.v[i] = ray.v;
+        rays.triangle[i] = ray.triangle;
+    }
+}
+
+class PlainObjects final : public ObjectAccel {
+public:
+    PlainObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::Executor& executor)
+        : trees_(scene.meshes.size()) {
+        const auto is_large = [&](std::size_t mesh) { return scene.meshes[mesh].triangle_count >= large_mesh; };
+        executor.run(trees_.size(), [&](std::size_t mesh) {
+            if (used[mesh] && !is_large(mesh))
+                trees_[mesh] = PlainBvh(scene, static_cast<accel::MeshId>(mesh), accel::SerialExecutor());
+        });
+        for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
+            if (used[mesh] && is_large(mesh))
+                trees_[mesh] = PlainBvh(scene, static_cast<accel::MeshId>(mesh), executor);
+        for (const PlainBvh& tree : trees_) views_.push_back(tree.view());
+    }
+
+    [[nodiscard]] ObjectTracer tracer() const override { return {views_.data(), &nearest, &nearest16, &blocked}; }
+    [[nodiscard]] std::string_view name() const override { return "plain"; }
+    [[nodiscard]] std::size_t bytes() const override {
+        std::size_t sum = views_.size() * (sizeof(BvhView) + sizeof(PlainBvh));
+        for (const PlainBvh& tree : trees_) sum += tree.bytes();
+        return sum;
+    }
+
+private:
+    std::vector<PlainBvh> trees_;
+    std::vector<BvhView> views_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObjectAccel> build_object_accel(const accel::SceneView& scene, ObjectAccelKind kind,
+                                                const accel::Executor& executor) {
+    std::vector<bool> used(scene.meshes.size(), false);
+    for (const accel::PlacedObject& object : scene.objects) used[index(object.mesh)] = true;
+#if defined(ENFILADE_HAS_EMBREE)
+    if (kind == ObjectAccelKind::Bvh) return detail::build_embree_objects(scene, used, executor);
+#else
+    (void)kind;
+#endif
+    return std::make_unique<PlainObjects>(scene, used, executor);
+}
+
+}  // namespace enfilade::render

@@ -1,0 +1,169 @@
+// Both structures inside of objects against brute force.
+
+#include <array>
+#include <limits>
+#include <memory>
+
+#include "render/executor.h"
+#include "render/object_tracer.h"
+#include "tests/support/object_rays.h"
+
+namespace enfilade::render {
+namespace {
+
+using accel::MeshId;
+using test::judge;
+using test::object_ray;
+using test::RandomNumbers;
+using test::Verdict;
+
+/// What so many rays to each mesh came to.
+struct Tally {
+    int hits = 0, misses = 0, at_edges = 0, wrong = 0;
+    void add(Verdict verdict) {
+        hits += verdict == Verdict::Hit;
+        misses += verdict == Verdict::Miss;
+        at_edges += verdict == Verdict::AtEdge;
+        wrong += verdict == Verdict::Wrong;
+    }
+};
+
+/// The i-th of many rays: one in four along an axis.
+ObjectRay test_ray(RandomNumbers& numbers, int i, double size) {
+    const Vec3d from = numbers.point(2 * size), to = numbers.point(size);
+    Vec3d d = to - from;
+    if (i % 8 == 0) d = {0, -0.0, i % 16 == 0 ? 1.0 : -1.0};
+    if (i % 8 == 4) d = {i % 16 == 4 ? 1.0 : -1.0, -0.0, 0};
+    return object_ray(i % 4 == 0 ? to : from, d, 0, 1e30f);
+}
+
+class ObjectAccelTest : public ::testing::TestWithParam<ObjectAccelKind> {
+protected:
+    static std::unique_ptr<ObjectAccel> build(const accel::Scene& scene) {
+        return build_object_accel(scene.view(), GetParam(), *make_executor());
+    }
+
+    /// The three ways to ask, of many rays, against brute force and each other.
+    static Tally ask_all(const accel::Scene& scene, int ray_count, double size) {
+        const auto built = build(scene);
+        const ObjectTracer tracer = built->tracer();
+        RandomNumbers numbers(7);
+        Tally tally;
+        for (std::uint32_t m = 0; m < scene.view().meshes.size(); ++m) {
+            for (int i = 0; i < ray_count; ++i) {
+                const ObjectRay asked = test_ray(numbers, i, size);
+                ObjectRay answered = asked;
+                tracer.nearest(tracer.state, static_cast<MeshId>(m), answered);
+                tally.add(judge(scene.view(), static_cast<MeshId>(m), asked, answered));
+                EXPECT_EQ(tracer.blocked(tracer.state, static_cast<MeshId>(m), asked),
+                          answered.triangle != no_triangle);
+            }
+        }
+        return tally;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Both, ObjectAccelTest, ::testing::Values(ObjectAccelKind::Bvh, ObjectAccelKind::Plain),
+                         [](const auto& kind) { return kind.param == ObjectAccelKind::Bvh ? "Bvh" : "Plain"; });
+
+TEST_P(ObjectAccelTest, FindsWhatBruteForceFinds) {
+    const accel::Scene scene = test::room_of_meshes({test::ball_mesh(20, 1), test::box_mesh({-1, -1, -1}, {1, 1, 1}),
+                                                     test::random_soup(500, 0.3f, 1), test::random_soup(3, 1, 2)});
+    const Tally tally = ask_all(scene, 600, 1);
+    EXPECT_EQ(tally.wrong, 0);
+    EXPECT_GT(tally.hits, 600);
+    EXPECT_GT(tally.misses, 100);
+    EXPECT_LT(tally.at_edges, 20);
+}
+
+TEST_P(ObjectAccelTest, AnswersSixteenAsOne) {
+    const accel::Scene scene = test::room_of_meshes({test::ball_mesh(20, 1), test::random_soup(200, 0.3f, 1)});
+    const auto built = build(scene);
+    const ObjectTracer tracer = built->tracer();
+    RandomNumbers numbers(3);
+    int hits = 0;
+    for (int block = 0; block < 100; ++block) {
+        const auto mesh = static_cast<MeshId>(block % 2);
+        ObjectRays rays = {};
+        alignas(64) std::array<std::int32_t, 16> valid{};
+        std::array<ObjectRay, 16> alone;
+        for (int i = 0; i < 16; ++i) {
+            alone[i] = test_ray(numbers, i, 1);
+            valid[i] = i % 5 == 3 ? 0 : -1;
+            rays.origin_x[i] = alone[i].origin_x;
+            rays.origin_y[i] = alone[i].origin_y;
+            rays.origin_z[i] = alone[i].origin_z;
+            rays.direction_x[i] = alone[i].direction_x;
+            rays.direction_y[i] = alone[i].direction_y;
+            rays.direction_z[i] = alone[i].direction_z;
+            rays.far[i] = alone[i].far;
+            rays.mask[i] = ~0u;
+            rays.triangle[i] = rays.geometry[i] = rays.instance[i] = no_triangle;
+        }
+        tracer.nearest16(tracer.state, mesh, valid.data(), rays);
+        for (int i = 0; i < 16; ++i) {
+            if (valid[i] == 0) {
+                EXPECT_EQ(rays.triangle[i], no_triangle);
+                continue;
+            }
+            ObjectRay together = alone[i];
+            together.far = rays.far[i];
+            together.triangle = rays.triangle[i];
+            together.u = rays.u[i];
+            together.v = rays.v[i];
+            EXPECT_NE(judge(scene.view(), mesh, alone[i], together), Verdict::Wrong);
+            hits += rays.triangle[i] != no_triangle;
+        }
+    }
+    EXPECT_GT(hits, 400);
+}
+
+TEST_P(ObjectAccelTest, KeepsToTheInterval) {
+    const accel::Scene scene = test::room_of_meshes({test::box_mesh({-1, -1, -1}, {1, 1, 1})});
+    const auto built = build(scene);
+    const ObjectTracer tracer = built->tracer();
+    const auto met_at = [&](float near, float far) {
+        ObjectRay ray = object_ray({-3, 0.25, 0.5}, {1, 0, 0}, near, far);
+        const bool is_blocked = tracer.blocked(tracer.state, MeshId{0}, ray);
+        tracer.nearest(tracer.state, MeshId{0}, ray);
+        EXPECT_EQ(is_blocked, ray.triangle != no_triangle);
+        return ray.triangle == no_triangle ? -1.0f : ray.far;
+    };
+    EXPECT_EQ(met_at(0, 10), 2);
+    EXPECT_EQ(met_at(2.5f, 10), 4);
+    EXPECT_EQ(met_at(0, 1.9f), -1);
+    EXPECT_EQ(met_at(2.5f, 3.9f), -1);
+    EXPECT_EQ(met_at(4.5f, 10), -1);
+    EXPECT_EQ(met_at(3, 1), -1);
+}
+
+TEST_P(ObjectAccelTest, NeverHitsWhatHasNoArea) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
+    const accel::Scene scene =
+        test::room_of_meshes({test::soup({{{{-1, -1, 0}, {1, 1, 0}, {0, 0, 0}}},
+                                          {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}},
+                                          {{{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}},
+                                          {{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                          {{{-9, -9, 0}, {far, 0, 0}, {0, far, 0}}},
+                                          {{{-1, -1, -0.5f}, {3, -1, -0.5f}, {-1, 3, -0.5f}}}}),
+                              test::soup({{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}}), accel::InputMesh{}});
+    const auto built = build(scene);
+    const ObjectTracer tracer = built->tracer();
+    RandomNumbers numbers(5);
+    for (int i = 0; i < 200; ++i) {
+        const double x = i == 0 ? 0 : 0.4 * numbers.next();
+        ObjectRay ray = object_ray({x, i % 2 == 0 ? x : 0, 2}, {0, 0, -1}, 0, 10);
+        tracer.nearest(tracer.state, MeshId{0}, ray);
+        EXPECT_EQ(ray.triangle, 5u);
+        EXPECT_FLOAT_EQ(ray.far, 2.5f);
+        for (const std::uint32_t mesh : {1u, 2u}) {
+            ObjectRay other = object_ray({1, 1, 2}, {0, 0, -1}, 0, 10);
+            tracer.nearest(tracer.state, MeshId{mesh}, other);
+            EXPECT_EQ(other.triangle, no_triangle);
+            EXPECT_FALSE(tracer.blocked(tracer.state, MeshId{mesh}, other));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace enfilade::render
