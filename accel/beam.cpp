@@ -9,6 +9,8 @@ namespace enfilade::accel {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double far = 0x1p40;  ///< grid units beyond any scene
+constexpr HeightBeam any_heights = {{-far, far}, {-infinity, infinity}};
 
 }  // namespace
 
@@ -129,6 +131,10 @@ void BeamWalker::expand_side(const BeamStep& step, const Cell& cell, std::uint32
             ways.from_reference =
                 step.beam.has_gate ? distances(step.beam.lit, lit, options_.margin) : ways.from_source;
         }
+        if (options_.any_height) {
+            enter(step, portal, face.target, {*plan, any_heights, true, gate, {-far, far}, lit}, false);
+            continue;
+        }
         const Interval opening = {low - margin, bottom + margin};
         const std::optional<HeightBeam> height = through_side(step.beam.height, source_z_, ways, opening);
         if (height) enter(step, portal, face.target, {*plan, *height, true, gate, opening, lit}, false);
@@ -137,6 +143,7 @@ void BeamWalker::expand_side(const BeamStep& step, const Cell& cell, std::uint32
 
 void BeamWalker::expand_level(const BeamStep& step, Level level, Target target, PortalId portal, double z) {
     if (!is_open(step, portal, target)) return;
+    if (options_.any_height) return enter(step, portal, target, step.beam, true);
     const double from_source = farthest(source_, corners_);
     const double from_reference = step.beam.has_gate ? farthest(step.beam.lit, corners_) : from_source;
     const auto margin = double(options_.margin);

@@ -24,6 +24,9 @@ struct BeamOptions {
     /// instead of being followed one by one: the work is linear in what is visible. 0: never.
     std::uint32_t max_beams = 64;
     std::uint32_t max_depth = UINT32_MAX;  ///< portals that are crossed at most
+    /// Rays may rise and fall on their way, as long as they keep their line on the plan: light that level mirrors throw
+    /// back does (render/mirror.h). Only that line decides then what is reached.
+    bool any_height = false;
 };
 
 /// Walks beams, one source after the other; its memory is kept between them, so that a walk costs what it sees, not
