@@ -12,6 +12,9 @@ std::vector<OwnPiece> all_pieces() {
     own::add_chairs(pieces);
     own::add_sofas(pieces);
     own::add_tables(pieces);
+    own::add_storage(pieces);
+    own::add_beds(pieces);
+    own::add_office(pieces);
     std::ranges::sort(pieces, {}, [](const OwnPiece& piece) -> const std::string& { return piece.entry.id; });
     return pieces;
 }

@@ -20,7 +20,8 @@ std::vector<std::pair<double, double>> edge_profile(double radius, int steps) {
 void post(Shaper& shaper, Vec from, Vec to, Vec half_from, Vec half_to, const Paint& paint, double radius) {
     const double most = 0.98 * std::min({half_from.x, half_from.y, half_to.x, half_to.y});
     radius = std::min({radius, most, 0.49 * std::abs(to.z - from.z)});
-    const int steps = radius > 0 ? std::min(shaper.detail(), 4) : 1;
+    // Wide edges are seen to be round even in plain pieces.
+    const int steps = radius > 0 ? std::min(shaper.detail() + (radius > 0.015 ? 2 : 0), 6) : 1;
     std::vector<Ring> rings;
     const auto ring = [&](Vec centre, Vec half, double inset) {
         rings.push_back(rounded_rectangle(centre, half.x - inset, half.y - inset, radius - inset, steps));
