@@ -327,12 +327,8 @@ ENFILADE_HD bool ends_behind(const Ray<float>& ray, const WalkEnd<float>& end) {
     return end.num / end.den * length(ray.direction) < metres;
 }
 
-/// The same line, walked in double precision.
-template <class Stop, class Events>
-ENFILADE_HD_COLD WalkEnd<float> walk_in_double(const accel::SceneView& scene, Ray<float> ray, std::uint32_t cell,
-                                               const Stop& stop, Vec3f& throughput, Events& events) {
-    const Ray<double> exact = make_ray_unchecked(vec_cast<double>(ray.origin), vec_cast<double>(ray.direction));
-    const WalkEnd<double> end = walk_in(scene, exact, cell, in_double(stop), throughput, events);
+/// What a walk in double found of a line in float.
+ENFILADE_HD WalkEnd<float> in_float(const WalkEnd<double>& end) {
     return {end.status,
             end.exit,
             end.cell,
@@ -343,6 +339,14 @@ ENFILADE_HD_COLD WalkEnd<float> walk_in_double(const accel::SceneView& scene, Ra
             static_cast<float>(end.num),
             static_cast<float>(end.den),
             static_cast<float>(end.facing)};
+}
+
+/// The same line, walked in double precision.
+template <class Stop, class Events>
+ENFILADE_HD_COLD WalkEnd<float> walk_in_double(const accel::SceneView& scene, Ray<float> ray, std::uint32_t cell,
+                                               const Stop& stop, Vec3f& throughput, Events& events) {
+    const Ray<double> exact = make_ray_unchecked(vec_cast<double>(ray.origin), vec_cast<double>(ray.direction));
+    return in_float(walk_in(scene, exact, cell, in_double(stop), throughput, events));
 }
 
 /// Follows the ray (walk_in) in its own precision, and in double where that led it out behind its origin.
