@@ -81,6 +81,13 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
     job.width = camera.width;
     const std::unique_ptr<accel::Executor> all_cores = options.executor == nullptr ? make_executor() : nullptr;
     const accel::Executor& executor = options.executor != nullptr ? *options.executor : *all_cores;
+    std::unique_ptr<ObjectAccel> own_accel;
+    ObjectTracer objects;
+    if (scene.has_objects()) {
+        if (options.objects == nullptr) own_accel = build_object_accel(scene, ObjectAccelKind::Bvh, executor);
+        objects = options.objects != nullptr ? *options.objects : own_accel->tracer();
+        job.objects = &objects;
+    }
     const bool is_plain = options.shading == Shading::Lambert && !job.is_cut && job.samples_a_side == 1;
     Look plain_look;
     if (options.shading == Shading::Lambert && !is_plain) {
@@ -101,6 +108,7 @@ void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, acce
     job.look = &look;
     job.rgba = framebuffer.rgba.data();
     job.width = framebuffer.width;
+    job.objects = scene.has_objects() ? options.objects : nullptr;
     job.samples_a_side = 1;
     job.start_cell = static_cast<std::uint32_t>(start);
     job.mirror_floor = options.mirror_floor;

@@ -16,6 +16,7 @@ RayStatus status_of(const accel::SceneView& scene, render::WalkStatus status, ac
             return scene.source_faces[index(face)].surface == accel::Surface::Sky ? RayStatus::Sky : RayStatus::Hit;
         case render::WalkStatus::Reached: return RayStatus::Reached;
         case render::WalkStatus::Leak: return RayStatus::Leak;
+        case render::WalkStatus::Object: return RayStatus::Hit;
         case render::WalkStatus::Refused: break;
     }
     return RayStatus::Refused;
