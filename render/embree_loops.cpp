@@ -9,7 +9,8 @@
 #include <limits>
 
 #include "render/embree_loops.h"
-#include "render/framebuffer.h"
+#include "render/embree_shade-inl.h"
+#include "render/object_tracer.h"
 #include "render/walk_events.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,6 +39,7 @@ struct Single {
             block->hit.Ng_z[k] = query.hit.Ng_z;
             block->hit.primID[k] = query.hit.primID;
             block->hit.geomID[k] = query.hit.geomID;
+            block->hit.instID[0][k] = query.hit.instID[0];
         }
     }
     static void occluded(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* block) {
@@ -90,81 +92,6 @@ HWY_INLINE RTCIntersectContext context_of(const EmbreeScene& embree) {
     rtcInitIntersectContext(&context);
     context.flags = embree.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     return context;
-}
-
-template <class D>
-struct Vec3 {
-    hn::Vec<D> x, y, z;
-};
-
-template <class D>
-HWY_INLINE hn::Vec<D> dot(const Vec3<D>& a, const Vec3<D>& b) {
-    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
-
-/// 1 / sqrt(a) to some 22 bits.
-template <class D>
-HWY_INLINE hn::Vec<D> inverse_root(D d, hn::Vec<D> a) {
-    const auto guess = hn::ApproximateReciprocalSqrt(a);
-    const auto half = hn::Mul(hn::Mul(a, hn::Set(d, 0.5f)), guess);
-    return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5f)));
-}
-
-/// A channel of a framebuffer from the square root of its light.
-template <class D>
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(D d, hn::Vec<D> root) {
-    const auto channel = hn::MulAdd(hn::Set(d, 255.0f), hn::Min(root, hn::Set(d, 1.0f)), hn::Set(d, 0.5f));
-    return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), channel));
-}
-
-/// Square roots of the sky's light.
-template <class D>
-HWY_INLINE Vec3<D> sky(D d, const Look& look, const Vec3<D>& direction) {
-    const auto up = hn::Mul(direction.z, inverse_root(d, dot<D>(direction, direction)));
-    const auto blend = hn::Sqrt(hn::Max(up, hn::Zero(d)));
-    const auto between = [&](float horizon, float zenith) {
-        return hn::Sqrt(hn::MulAdd(blend, hn::Set(d, zenith - horizon), hn::Set(d, horizon)));
-    };
-    return {between(look.sky_horizon.x, look.sky_zenith.x), between(look.sky_horizon.y, look.sky_zenith.y),
-            between(look.sky_horizon.z, look.sky_zenith.z)};
-}
-
-/// What Lambert's shading makes of lanes of hits; magenta where there is none. Most packets see one primitive. Square
-/// roots of colours are multiplied by those of cosines: one root for three channels.
-template <class D, class Hit>
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(D d, const EmbreeTile& job, const Vec3<D>& direction, const Hit& hit,
-                                                   std::size_t k) {
-    const hn::RebindToUnsigned<D> du;
-    const hn::RebindToSigned<D> di;
-    const auto has_hit = hn::Eq(hn::Load(du, hit.geomID + k), hn::Zero(du));
-    const auto primitive = hn::IfThenElseZero(has_hit, hn::Load(du, hit.primID + k));
-    const Vec3<D> normal = {hn::Load(d, hit.Ng_x + k), hn::Load(d, hit.Ng_y + k), hn::Load(d, hit.Ng_z + k)};
-    const auto scale = hn::Mul(dot<D>(normal, normal), dot<D>(direction, direction));
-    const auto lit = hn::Sqrt(hn::Mul(hn::Abs(dot<D>(normal, direction)), inverse_root(d, scale)));
-    const bool is_one = hn::AllTrue(du, hn::And(has_hit, hn::Eq(primitive, hn::Set(du, hn::GetLane(primitive)))));
-    Vec3<D> colour;
-    hn::Mask<D> is_sky;
-    if (HWY_LIKELY(is_one)) {
-        const PrimitiveLook& look = job.embree.looks[hn::GetLane(primitive)];
-        colour = {hn::Set(d, look.red), hn::Set(d, look.green), hn::Set(d, look.blue)};
-        is_sky = hn::MaskFromVec(hn::BitCast(d, hn::Set(du, (look.source_face & sky_bit) != 0 ? ~0u : 0u)));
-    } else {
-        const auto place = hn::BitCast(di, hn::ShiftLeft<2>(primitive));
-        const float* looks = &job.embree.looks->red;
-        colour = {hn::GatherIndex(d, looks, place), hn::GatherIndex(d, looks + 1, place),
-                  hn::GatherIndex(d, looks + 2, place)};
-        const auto face = hn::BitCast(di, hn::GatherIndex(d, looks + 3, place));
-        is_sky = hn::RebindMask(d, hn::Lt(face, hn::Zero(di)));
-    }
-    colour = {hn::Mul(colour.x, lit), hn::Mul(colour.y, lit), hn::Mul(colour.z, lit)};
-    if (!hn::AllFalse(d, is_sky)) {
-        const Vec3<D> above = sky(d, *job.look, direction);
-        colour = {hn::IfThenElse(is_sky, above.x, colour.x), hn::IfThenElse(is_sky, above.y, colour.y),
-                  hn::IfThenElse(is_sky, above.z, colour.z)};
-    }
-    const auto pixels = hn::Or(hn::Or(encoded(d, colour.x), hn::ShiftLeft<8>(encoded(d, colour.y))),
-                               hn::Or(hn::ShiftLeft<16>(encoded(d, colour.z)), hn::Set(du, 0xff000000u)));
-    return hn::IfThenElse(hn::RebindMask(du, has_hit), pixels, hn::Set(du, 0xffff00ffu));
 }
 
 /// What no ray changes.
@@ -238,6 +165,29 @@ HWY_INLINE hn::Vec<D> lanes_of(D d, const float* column, std::uint64_t i, std::u
     return hn::Load(d, copy);
 }
 
+/// Writes what became of ray i, lane k of a packet.
+template <class Query>
+HWY_INLINE void answer(const EmbreeRays& job, std::uint64_t i, int k, const Query& query, float metres) {
+    const EmbreeScene& embree = job.embree;
+    const bool is_hit = query.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+    const std::uint32_t place = embree.flat ? query.hit.geomID[k] : query.hit.instID[0][k];
+    const bool is_object = is_hit && embree.places != nullptr && place < embree.place_count;
+    const bool is_limited = job.max_distance != nullptr && job.max_distance[i] < 1e30f;
+    if (job.distance != nullptr) job.distance[i] = query.ray.tfar[k] * metres;
+    if (job.source_face != nullptr)
+        job.source_face[i] =
+            is_hit && !is_object
+                ? static_cast<accel::SourceFaceId>(embree.looks[query.hit.primID[k]].source_face & ~sky_bit)
+                : none<accel::SourceFaceId>;
+    if (job.status != nullptr)
+        job.status[i] = is_object    ? WalkStatus::Object
+                        : is_hit     ? WalkStatus::Hit
+                        : is_limited ? WalkStatus::Reached
+                                     : WalkStatus::Leak;
+    if (job.object != nullptr) job.object[i] = is_object ? static_cast<accel::ObjectId>(place) : none<accel::ObjectId>;
+    if (job.triangle != nullptr) job.triangle[i] = is_object ? query.hit.primID[k] : no_triangle;
+}
+
 template <class Packet>
 HWY_NOINLINE void trace_rays(const EmbreeRays& job) {
     constexpr int N = Packet::lanes;
@@ -271,16 +221,7 @@ HWY_NOINLINE void trace_rays(const EmbreeRays& job) {
         const auto count = static_cast<int>(job.end - i < N ? job.end - i : N);
         for (int k = 0; k < N; ++k) valid[k] = k < count ? -1 : 0;
         Packet::intersect(valid, job.embree.scene, &context, &query);
-        for (int k = 0; k < count; ++k) {
-            const bool is_hit = query.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-            const bool is_limited = job.max_distance != nullptr && job.max_distance[i + k] < 1e30f;
-            if (job.distance != nullptr) job.distance[i + k] = query.ray.tfar[k] * metres[k];
-            if (job.source_face != nullptr)
-                job.source_face[i + k] = static_cast<accel::SourceFaceId>(
-                    is_hit ? job.embree.looks[query.hit.primID[k]].source_face & ~sky_bit : ~0u);
-            if (job.status != nullptr)
-                job.status[i + k] = is_hit ? WalkStatus::Hit : (is_limited ? WalkStatus::Reached : WalkStatus::Leak);
-        }
+        for (int k = 0; k < count; ++k) answer(job, i + k, k, query, metres[k]);
     }
 }
 

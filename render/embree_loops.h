@@ -12,10 +12,22 @@
 
 namespace enfilade::render::detail {
 
+/// An object as its hits are shaded: 64 bytes, so that lanes gather from it.
+struct EmbreePlace {
+    float normal[9];           ///< rows: the mesh's normals to the scene's (of any length)
+    std::uint32_t first_look;  ///< into the looks: of its first triangle, or of the whole object
+    std::uint32_t look_mask;   ///< all ones, or 0 where the whole object has one look
+    std::uint32_t reserved[5];
+};
+static_assert(sizeof(EmbreePlace) == 64);
+
 /// What all jobs ask of Embree.
 struct EmbreeScene {
     RTCScene scene;
     const PrimitiveLook* looks;
+    const EmbreePlace* places;  ///< [place_count + 1]: of objects, the last one of faces; nullptr: there are faces only
+    std::uint32_t place_count;
+    bool flat;  ///< objects are geometries of the scene, else instances
     bool coherent;
 };
 
@@ -39,6 +51,8 @@ struct EmbreeRays {
     float* distance;
     accel::SourceFaceId* source_face;
     WalkStatus* status;
+    accel::ObjectId* object;  ///< not written where there are faces only
+    std::uint32_t* triangle;
     std::uint64_t begin, end;
 };
 

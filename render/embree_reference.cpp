@@ -3,46 +3,14 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <string>
 #include <vector>
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
-#include "base/error.h"
-#include "render/embree_loops.h"
-#include "render/embree_mesh.h"
+#include "render/embree_device.h"
+#include "render/embree_faces.h"
+#include "render/embree_jobs.h"
 
 namespace enfilade::render {
 namespace {
-
-constexpr int tile_side = 64;
-constexpr std::size_t chunk_rays = 1 << 13;
-
-void remember_error(void* text, RTCError code, const char* message) {
-    if (code != RTC_ERROR_NONE) *static_cast<std::string*>(text) = message != nullptr ? message : "unknown error";
-}
-
-/// Denormal numbers as zero on the calling thread while it lives, as Embree advises.
-class ZeroDenormals {
-public:
-    ZeroDenormals() {
-#if defined(__SSE2__)
-        saved_ = _mm_getcsr();
-        _mm_setcsr(saved_ | 0x8040u);
-#endif
-    }
-    ~ZeroDenormals() {
-#if defined(__SSE2__)
-        _mm_setcsr(saved_);
-#endif
-    }
-    ZeroDenormals(const ZeroDenormals&) = delete;
-    ZeroDenormals& operator=(const ZeroDenormals&) = delete;
-
-private:
-    unsigned saved_ = 0;
-};
 
 /// Single rays as columns, and their answers.
 class Block {
@@ -69,6 +37,8 @@ public:
                 distance_,
                 face_,
                 status_,
+                nullptr,
+                nullptr,
                 0,
                 count_};
     }
@@ -96,55 +66,20 @@ public:
     BuiltScene(RTCDevice device, const accel::SceneView& view, EmbreeFaces faces) : scene_(rtcNewScene(device)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_NONE);
         rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-        detail::EmbreeMesh mesh = detail::embree_mesh(view, faces);
-        const bool has_quads = faces == EmbreeFaces::Quads;
-        const std::size_t corners = has_quads ? 4 : 3;
-        RTCGeometry geometry = rtcNewGeometry(device, has_quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-        void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                 sizeof(accel::Vertex), mesh.vertices.size());
-        void* indices =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, has_quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
-                                    corners * sizeof(std::uint32_t), mesh.corners.size() / corners);
-        if (vertices != nullptr && indices != nullptr) {
-            std::ranges::copy(mesh.vertices, static_cast<accel::Vertex*>(vertices));
-            std::ranges::copy(mesh.corners, static_cast<std::uint32_t*>(indices));
-            rtcCommitGeometry(geometry);
-            rtcAttachGeometry(scene_, geometry);
-            rtcCommitScene(scene_);
-        }
-        rtcReleaseGeometry(geometry);
-        looks_ = std::move(mesh.looks);
+        looks_ = detail::attach_faces(device, scene_, view, faces, 0);
+        rtcCommitScene(scene_);
     }
     ~BuiltScene() { rtcReleaseScene(scene_); }
     BuiltScene(const BuiltScene&) = delete;
     BuiltScene& operator=(const BuiltScene&) = delete;
 
-    [[nodiscard]] detail::EmbreeScene asked(bool coherent) const { return {scene_, looks_.data(), coherent}; }
+    [[nodiscard]] detail::EmbreeScene asked(bool coherent) const {
+        return {scene_, looks_.data(), nullptr, 0, false, coherent};
+    }
 
 private:
     RTCScene scene_;
     std::vector<detail::PrimitiveLook> looks_;
-};
-
-class Device {
-public:
-    Device() : device_(rtcNewDevice(nullptr)) {
-        if (device_ == nullptr) throw IoError("Embree cannot be started on this machine");
-        rtcSetDeviceErrorFunction(device_, remember_error, &error_);
-    }
-    ~Device() { rtcReleaseDevice(device_); }
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
-
-    [[nodiscard]] RTCDevice get() const { return device_; }
-    void require_success() const {
-        if (!error_.empty()) throw IoError("Embree cannot build the scene: " + error_);
-    }
-
-private:
-    RTCDevice device_;
-    std::string error_;
 };
 
 }  // namespace
@@ -155,7 +90,7 @@ std::string text(EmbreeWay way) {
 }
 
 struct EmbreeReference::State {
-    Device device;
+    detail::EmbreeDevice device;
     BuiltScene triangles;
     BuiltScene quads;
 
@@ -184,57 +119,17 @@ void EmbreeReference::trace(std::span<const RayQuery> rays, std::span<RayHit> hi
 
 void EmbreeReference::trace_lambert(const CameraFrame& frame, EmbreeWay way, const accel::Executor& executor,
                                     Framebuffer& image) const {
-    const Look look;
-    const int columns = (image.width + tile_side - 1) / tile_side;
-    const int rows = (image.height + tile_side - 1) / tile_side;
-    executor.run(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), [&](std::size_t tile) {
-        const ZeroDenormals zero_denormals;
-        const int x = static_cast<int>(tile) % columns * tile_side, y = static_cast<int>(tile) / columns * tile_side;
-        const detail::EmbreeTile job = {state_->asked(way),
-                                        &frame,
-                                        &look,
-                                        image.rgba.data(),
-                                        image.width,
-                                        x,
-                                        y,
-                                        std::min(x + tile_side, image.width),
-                                        std::min(y + tile_side, image.height)};
-        detail::embree_tile(job, way.lanes);
-    });
+    detail::embree_picture(state_->asked(way), frame, way.lanes, executor, image);
 }
 
 void EmbreeReference::nearest(const RayColumns& rays, const HitColumns& hits, EmbreeWay way,
                               const accel::Executor& executor, float skin) const {
-    const auto column_of = [](auto span) { return span.empty() ? nullptr : span.data(); };
-    accel::parallel_for(executor, rays.origin_x.size(), chunk_rays, [&](std::size_t begin, std::size_t end) {
-        const ZeroDenormals zero_denormals;
-        const detail::EmbreeRays job = {state_->asked(way),
-                                        {rays.origin_x.data(), rays.origin_y.data(), rays.origin_z.data()},
-                                        {rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()},
-                                        column_of(rays.max_distance),
-                                        skin,
-                                        column_of(hits.distance),
-                                        column_of(hits.source_face),
-                                        column_of(hits.status),
-                                        begin,
-                                        end};
-        detail::embree_rays(job, way.lanes);
-    });
+    detail::embree_nearest(state_->asked(way), rays, hits, way.lanes, executor, skin);
 }
 
 void EmbreeReference::visible(const SegmentColumns& segments, std::span<std::uint8_t> visible, EmbreeWay way,
                               const accel::Executor& executor, float skin) const {
-    accel::parallel_for(executor, segments.from_x.size(), chunk_rays, [&](std::size_t begin, std::size_t end) {
-        const ZeroDenormals zero_denormals;
-        const detail::EmbreeSegments job = {state_->asked(way),
-                                            {segments.from_x.data(), segments.from_y.data(), segments.from_z.data()},
-                                            {segments.to_x.data(), segments.to_y.data(), segments.to_z.data()},
-                                            skin,
-                                            visible.data(),
-                                            begin,
-                                            end};
-        detail::embree_segments(job, way.lanes);
-    });
+    detail::embree_visible(state_->asked(way), segments, visible, way.lanes, executor, skin);
 }
 
 }  // namespace enfilade::render
