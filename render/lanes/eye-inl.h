@@ -6,11 +6,6 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
-/// Pixels of the image: x0 to x1 - 1, y0 to y1 - 1.
-struct Rectangle {
-    int x0, y0, x1, y1;
-};
-
 /// Four rays around others from the same point, in plan.
 struct Corners4 {
     struct Line {
@@ -151,7 +146,13 @@ class Outlooks {
 public:
     /// `around`: those of a rectangle that holds this one, or nullptr.
     Outlooks(const accel::SceneView& scene, const CameraFrame& camera, const Rectangle& at, const Outlooks* around)
-        : scene_(scene), camera_(camera), around_(around), corners_(camera, at) {}
+        : objects(scene, camera, at, around != nullptr ? &around->objects : nullptr),
+          scene_(scene),
+          camera_(camera),
+          around_(around),
+          corners_(camera, at) {}
+
+    ObjectsInView objects;
 
     /// Its height does not matter: a mirrored eye sees the same.
     [[nodiscard]] HWY_INLINE const Outlook& on(std::uint32_t cell) {
@@ -189,6 +190,7 @@ struct EyeRays {
     Points<N> direction;
     Bits descends;  ///< dz < 0
     Bits climbs;    ///< dz > 0
+    bool is_mirrored = false;
     mutable bool has_lines = false;
     mutable Floats<N> moment, minus_dy, threshold;
 
@@ -200,6 +202,7 @@ struct EyeRays {
           climbs(is_less(Floats<N>(0), direction_.z)) {}
 
     HWY_INLINE void mirror(float floor) {
+        is_mirrored = true;
         eye.z = floor + (floor - eye.z);
         direction.z = -direction.z;
         const Bits swapped = descends;

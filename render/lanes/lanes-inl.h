@@ -70,6 +70,7 @@ ENFILADE_LANEWISE(operator-, hn::Sub(a.v[k], b.v[k]))
 ENFILADE_LANEWISE(operator*, hn::Mul(a.v[k], b.v[k]))
 ENFILADE_LANEWISE(operator/, hn::Div(a.v[k], b.v[k]))
 ENFILADE_LANEWISE(largest, hn::Max(a.v[k], b.v[k]))
+ENFILADE_LANEWISE(least, hn::Min(a.v[k], b.v[k]))
 #undef ENFILADE_LANEWISE
 
 template <int N>

@@ -15,6 +15,7 @@
 #include "render/framebuffer.h"
 #include "render/kernel.h"
 #include "render/mirror.h"
+#include "render/object_walk.h"
 #include "render/shade.h"
 #include "render/walk.h"
 
@@ -34,9 +35,13 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/leave-inl.h"
 //
+#include "render/lanes/in_view-inl.h"
+//
 #include "render/lanes/eye-inl.h"
 //
 #include "render/lanes/walk-inl.h"
+//
+#include "render/lanes/objects-inl.h"
 //
 #include "render/lanes/fill-inl.h"
 //

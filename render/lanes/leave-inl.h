@@ -17,6 +17,7 @@ struct Rays {
     Bits descends;        ///< dz < 0
     Bits climbs;          ///< dz > 0
 
+    [[nodiscard]] HWY_INLINE const Rays& all() const { return *this; }
     /// The ray of one lane, as the scalar walk takes it.
     [[nodiscard]] HWY_NOINLINE Ray<float> ray(int lane) const {
         float n[6][N];

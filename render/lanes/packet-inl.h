@@ -35,6 +35,7 @@ public:
         const std::uint64_t most_steps = scene_.cells.count + 16;
         Ways<corner_count> ways;
         for (std::uint64_t step = 0; step < most_steps; ++step) {
+            if (job_.objects != nullptr && sees_objects(outlooks, bundle)) return split_here(tile, bundle, outlooks);
             events_.entered_cell(scene_.cells[bundle.cell].section_count);
             ways.size = 0;
             leave_cell_by(scene_, rays, outlooks.on(bundle.cell), present, ways);
@@ -56,8 +57,27 @@ public:
 private:
     static constexpr Bits quarter_bits = 0xfu;
 
+    [[nodiscard]] HWY_INLINE bool sees_objects(Outlooks& outlooks, const Bundle& bundle) const {
+        const ObjectList objects = bundle.is_mirrored ? outlooks.objects.in_mirror(bundle.cell, bundle.mirror_level)
+                                                      : outlooks.objects.on(bundle.cell);
+        return objects.size != 0;
+    }
+
+    /// Where objects stand in the way, quarters may still miss them.
+    void split_here(const Tile& tile, const Bundle& bundle, const Outlooks& outlooks) {
+        events_.split_tile();
+        const int half = tile.side / 2;
+        for (int q = 0; q < 4; ++q) {
+            const Tile quarter = {tile.x + (q & 1) * half, tile.y + (q >> 1) * half, half};
+            const Rectangle at = clipped(quarter);
+            if (at.x0 < at.x1 && at.y0 < at.y1) trace(quarter, bundle, &outlooks);
+        }
+    }
+
     void trace_small(const Rectangle& at, const Bundle& bundle, const Outlooks* around) {
         Outlooks outlooks(scene_, *job_.camera, at, around);
+        if (job_.objects != nullptr && sees_objects(outlooks, bundle))
+            return trace_blocks<ObjectRays::count>(job_, scene_, bundle, outlooks, at, events_);
         trace_blocks<tile_rays>(job_, scene_, bundle, outlooks, at, events_);
     }
 

@@ -96,7 +96,13 @@ HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const 
     for (Bits left = seen.mirrors; left != 0; left &= left - 1) events.began_walk();
     const Rays<N> turned = mirrored(rays, seen.mirror_level);
     Seen<N> reflected(seen.job, seen.scene, turned.direction, true);
-    walk_together(seen.scene, turned, seen.mirror_groups, tints, reflected, events);
+    if (seen.job.objects != nullptr) {
+        const auto all = [&](std::uint32_t cell) HWY_ATTR { return all_objects(seen.scene, cell); };
+        const Floats<N> at_mirror = (seen.mirror_level - turned.origin.z) / turned.direction.z;
+        walk_among(seen.scene, *seen.job.objects, turned, at_mirror, all, seen.mirror_groups, tints, reflected, events);
+    } else {
+        walk_together(seen.scene, turned, seen.mirror_groups, tints, reflected, events);
+    }
     const Light<N> more = light_of(reflected, inverse_length, tints);
     const Floats<N> share(seen.job.mirror_floor), rest(1 - seen.job.mirror_floor);
     light = choose_light(
@@ -187,6 +193,7 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
         next.size = 0;
         for (int g = 0; g < now.size; ++g) {
             const Group group = now.of[g];
+            if (job.objects != nullptr && outlooks.objects.on(group.cell).size != 0) return false;
             for (Bits left = group.rays & within; left != 0; left &= left - 1) ++cells;
             Ways<N> ways;
             leave_cell_by(scene, rays, outlooks.on(group.cell), group.rays, ways);
@@ -232,6 +239,7 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
     const Bits descends = is_less(d.z, F(0)), climbs = is_less(F(0), d.z);
     constexpr std::uint64_t most_cells = 64;  // the others are walked as any
     for (std::uint64_t cells = 1; cells <= most_cells; ++cells) {
+        if (job.objects != nullptr && outlooks.objects.on(id).size != 0) return false;
         const Outlook& outlook = outlooks.on(id);
         const auto try_mixed = [&]() HWY_ATTR {
             return trace_mixed_block(job, scene, id, outlooks, tint, at, d, N * (cells - 1), events);
@@ -297,7 +305,16 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
     Tints<N> tints;
     Groups start;
     start.add(bundle.cell, active);
-    walk_together(scene, rays, start, tints, seen, events);
+    if (job.objects != nullptr) {
+        const auto in_view = [&](std::uint32_t cell) HWY_ATTR {
+            return rays.is_mirrored ? outlooks.objects.in_mirror(cell, bundle.mirror_level) : outlooks.objects.on(cell);
+        };
+        F first(0);
+        if (bundle.is_mirrored) first = (F(bundle.mirror_level) - F(rays.eye.z)) / rays.direction.z;
+        walk_among(scene, *job.objects, rays, first, in_view, start, tints, seen, events);
+    } else {
+        walk_together(scene, rays, start, tints, seen, events);
+    }
 
     const F squared = dot_lanes(rays.direction, rays.direction);
     F inverse_length = quick_inverse_root(squared);

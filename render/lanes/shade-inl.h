@@ -69,6 +69,25 @@ struct Seen {
             mirror_level = choose(way.rays, Floats<N>(scene.cells[cell].z_floor), mirror_level);
         }
     }
+    /// Both sides of a triangle are lit.
+    HWY_NOINLINE void met(const ObjectHits<N>& hits) {
+        using F = Floats<N>;
+        const F nx = load<N>(hits.normal[0]), ny = load<N>(hits.normal[1]), nz = load<N>(hits.normal[2]);
+        const F facing = fused_lanes(nx, direction.x, fused_lanes(ny, direction.y, nz * direction.z));
+        const F inverse = F(1) / root_of(fused_lanes(nx, nx, fused_lanes(ny, ny, nz * nz)));
+        cosine = choose(hits.rays, magnitude_of(facing) * inverse, cosine);
+        alignas(64) float channels[3][N];
+        for (Bits left = hits.rays; left != 0; left &= left - 1) {
+            const int ray = static_cast<int>(lowest_bit(left));
+            const Vec3f colour = object_colour(scene, hits.object[ray], hits.triangle[ray]);
+            channels[0][ray] = colour.x;
+            channels[1][ray] = colour.y;
+            channels[2][ray] = colour.z;
+        }
+        red = choose(hits.rays, load<N>(channels[0]), red);
+        green = choose(hits.rays, load<N>(channels[1]), green);
+        blue = choose(hits.rays, load<N>(channels[2]), blue);
+    }
     HWY_INLINE void leaked(Bits which) { leaks |= which; }
 };
 

@@ -1,0 +1,236 @@
+// Rays among objects: N rays that are in one cell ask for the nearest triangle of each object in it, sixteen at a time
+// in the object's own space; then those that hit nothing leave the cell.
+// No include guard: lanes.cpp includes it once for every instruction set.
+
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render {
+namespace HWY_NAMESPACE {
+
+/// The triangles at which rays end.
+template <int N>
+struct ObjectHits {
+    Bits rays = 0;
+    alignas(64) float far[N];  ///< parameter of the hit, of rays that have one
+    alignas(64) float normal[3][N];
+    std::uint32_t object[N];
+    std::uint32_t triangle[N];
+
+    ObjectHits() {}  // numbers are written with the hits
+    HWY_INLINE void take(int ray, accel::ObjectId id, const accel::PlacedObject& at, const ObjectRays& from, int lane) {
+        rays |= Bits(1) << ray;
+        far[ray] = from.far[lane];
+        object[ray] = static_cast<std::uint32_t>(id);
+        triangle[ray] = from.triangle[lane];
+        const float* m = at.object_from_scene.rows.data();
+        for (int k = 0; k < 3; ++k)
+            normal[k][ray] =
+                m[k] * from.normal_x[lane] + m[4 + k] * from.normal_y[lane] + m[8 + k] * from.normal_z[lane];
+    }
+};
+
+/// The part of each ray in a cell.
+template <int N>
+struct Stretch {
+    Floats<N> from, to;
+};
+
+/// As `turned`: the same numbers.
+template <int N>
+HWY_INLINE Points<N> turned_lanes(const float* HWY_RESTRICT m, const Points<N>& d) {
+    using F = Floats<N>;
+    const auto row = [&](const float* r) HWY_ATTR { return F(r[0]) * d.x + F(r[1]) * d.y + F(r[2]) * d.z; };
+    return {row(m), row(m + 4), row(m + 8)};
+}
+
+/// Which rays pass the mesh's box within their stretches; rather more than fewer.
+template <int N>
+HWY_INLINE Bits pass_box(const accel::ObjectMesh& mesh, const Points<N>& o, const Points<N>& d,
+                         const Stretch<N>& stretch) {
+    using F = Floats<N>;
+    F in = stretch.from, out = stretch.to;
+    const auto slab = [&](float low, float high, const F& origin, const F& way) HWY_ATTR {
+        const F tiny(1e-18f);
+        const F inverse = F(1) / choose(is_less(magnitude_of(way), tiny), tiny, way);
+        const F a = (F(low) - origin) * inverse, b = (F(high) - origin) * inverse;
+        in = largest(in, least(a, b));
+        out = least(out, largest(a, b));
+    };
+    slab(mesh.low[0], mesh.high[0], o.x, d.x);
+    slab(mesh.low[1], mesh.high[1], o.y, d.y);
+    slab(mesh.low[2], mesh.high[2], o.z, d.z);
+    constexpr float wider = 1e-5f;
+    return is_at_most(in - F(wider) * magnitude_of(in), out + F(wider) * magnitude_of(out) + F(1e-6f));
+}
+
+/// Sixteen of N lanes.
+template <int N>
+HWY_INLINE void store_sixteen(const Floats<N>& a, int sixteen, float* HWY_RESTRICT p) {
+    constexpr int vectors = ObjectRays::count / lane_count;
+    for (int k = 0; k < vectors; ++k) hn::Store(a.v[sixteen * vectors + k], D(), p + k * lane_count);
+}
+
+/// Asks an object for the nearest triangles of `rays` within their stretches.
+template <int N>
+HWY_NOINLINE void meet_object(const accel::SceneView& scene, const ObjectTracer& tracer, accel::ObjectId id,
+                              const Points<N>& origin, const Points<N>& direction, Bits rays, Stretch<N>& stretch,
+                              ObjectHits<N>& hits) {
+    using F = Floats<N>;
+    static_assert(N % ObjectRays::count == 0);
+    const accel::PlacedObject& object = scene.objects[index(id)];
+    const float* m = object.object_from_scene.rows.data();
+    const float* at = object.scene_from_object.rows.data();
+    const Points<N> o = turned_lanes(m, Points<N>{origin.x - F(at[3]), origin.y - F(at[7]), origin.z - F(at[11])});
+    const Points<N> d = turned_lanes(m, direction);
+    rays &= pass_box(scene.meshes[index(object.mesh)], o, d, stretch);
+    if (rays == 0) return;
+    ObjectRays asked;
+    alignas(64) std::int32_t valid[ObjectRays::count];
+    const auto zero = hn::Zero(DU()), ones = hn::Set(DU(), ~0u);
+    for (int sixteen = 0; sixteen < N / ObjectRays::count; ++sixteen) {
+        const Bits some = rays >> (sixteen * ObjectRays::count) & 0xffffu;
+        if (some == 0) continue;
+        store_sixteen(o.x, sixteen, asked.origin_x);
+        store_sixteen(o.y, sixteen, asked.origin_y);
+        store_sixteen(o.z, sixteen, asked.origin_z);
+        store_sixteen(d.x, sixteen, asked.direction_x);
+        store_sixteen(d.y, sixteen, asked.direction_y);
+        store_sixteen(d.z, sixteen, asked.direction_z);
+        store_sixteen(stretch.from, sixteen, asked.near);
+        store_sixteen(stretch.to, sixteen, asked.far);
+        for (int k = 0; k < ObjectRays::count; k += lane_count) {
+            hn::Store(hn::Zero(D()), D(), asked.time + k);
+            hn::Store(ones, DU(), asked.mask + k);
+            hn::Store(zero, DU(), asked.id + k);
+            hn::Store(zero, DU(), asked.flags + k);
+            hn::Store(ones, DU(), asked.triangle + k);
+            hn::Store(ones, DU(), asked.geometry + k);
+            hn::Store(ones, DU(), asked.instance + k);
+            hn::Store(hn::BitCast(DU(), hn::IfThenElseZero(mask_of(some, k / lane_count), hn::BitCast(D(), ones))),
+                      DU(), reinterpret_cast<std::uint32_t*>(valid) + k);
+        }
+        tracer.nearest16(tracer.state, object.mesh, valid, asked);
+        for (Bits left = some; left != 0; left &= left - 1) {
+            const int lane = static_cast<int>(lowest_bit(left));
+            if (asked.triangle[lane] != no_triangle)
+                hits.take(sixteen * ObjectRays::count + lane, id, object, asked, lane);
+        }
+    }
+    stretch.to = choose(hits.rays, least(stretch.to, load<N>(hits.far)), stretch.to);
+}
+
+/// Where rays leave their cell by one way, in units of their directions.
+template <int N>
+HWY_INLINE Floats<N> parameter_of(const accel::SceneView& scene, const Rays<N>& rays, std::uint32_t cell,
+                                  const Way& way) {
+    using F = Floats<N>;
+    if (way.exit != Exit::Side) {
+        const float level = way.exit == Exit::Floor ? scene.cells[cell].z_floor : scene.cells[cell].z_ceiling;
+        return (F(level) - rays.origin.z) / rays.direction.z;
+    }
+    const float px = scene.section_x[way.section], py = scene.section_y[way.section];
+    const float qx = scene.section_x[way.next_section], qy = scene.section_y[way.next_section];
+    const F dx = rays.direction.x, dy = rays.direction.y, zero(0);
+    const F p_side = least(sides_of(rays, px, py), zero), q_side = largest(sides_of(rays, qx, qy), zero);
+    const F p_along = fused_lanes(F(px) - rays.origin.x, dx, (F(py) - rays.origin.y) * dy);
+    const F q_along = fused_lanes(F(qx) - rays.origin.x, dx, (F(qy) - rays.origin.y) * dy);
+    const F num = q_side * p_along - p_side * q_along, den = (q_side - p_side) * (dx * dx + dy * dy);
+    return choose(is_less(zero, den), num / den, zero);
+}
+
+/// As stretch_start and stretch_end (object_walk.h).
+template <int N>
+HWY_INLINE Stretch<N> stretch_of(const Floats<N>& entered, const Floats<N>& leaves, const Floats<N>& first) {
+    using F = Floats<N>;
+    const F slack(stretch_slack);
+    return {largest(entered - (slack + slack * entered), first), leaves + (slack + slack * leaves)};
+}
+
+/// The rays of a group in their cell, before they leave it: those that meet an object there are taken out of `ways`.
+/// entered: where they came into the cell; is moved on to where they leave it. first: from where on objects count.
+template <int N>
+HWY_INLINE void meet_objects(const accel::SceneView& scene, const ObjectTracer& tracer, const ObjectList& objects,
+                             const Rays<N>& rays, const Floats<N>& first, const Group& group, Ways<N>& ways,
+                             Floats<N>& entered, ObjectHits<N>& hits) {
+    using F = Floats<N>;
+    F leaves = entered;
+    for (int i = 0; i < ways.size; ++i)
+        leaves = choose(ways.of[i].rays, parameter_of(scene, rays, group.cell, ways.of[i]), leaves);
+    const Bits here = group.rays & ~ways.alone;
+    if (objects.size != 0 && here != 0) {
+        const Bits hit_before = hits.rays;
+        Stretch<N> stretch = stretch_of(entered, leaves, first);
+        for (std::uint32_t k = 0; k < objects.size; ++k)
+            meet_object(scene, tracer, objects.first[k], rays.origin, rays.direction, here, stretch, hits);
+        const Bits hit = hits.rays & ~hit_before;
+        if (hit != 0)
+            for (int i = 0; i < ways.size; ++i) ways.of[i].rays &= ~hit;
+    }
+    entered = leaves;
+}
+
+/// As walk_by_itself.
+template <int N, class Sink, class Events>
+HWY_NOINLINE void walk_alone_among(const accel::SceneView& scene, const ObjectTracer& tracer, const Rays<N>& rays,
+                                   const Floats<N>& first, int ray, std::uint32_t cell, Tints<N>& tints, Sink& sink,
+                                   ObjectHits<N>& hits, Events& events) {
+    Vec3f throughput = {1, 1, 1};
+    const Bits bit = Bits(1) << ray;
+    float firsts[N];
+    store(first, firsts);
+    ObjectHit<float> hit;
+    const WalkEnd<float> end =
+        walk_furnished(scene, tracer, rays.ray(ray), cell, NoLimit{}, throughput, events, hit, firsts[ray]);
+    if (!(throughput == Vec3f{1, 1, 1}) || tints.any) tints.multiply(bit, throughput);
+    if (end.status == WalkStatus::Leak) return sink.leaked(bit);
+    if (end.status != WalkStatus::Object)
+        return sink.hit(Way{bit, end.exit, end.section, end.next_section, end.face, end.target.bits}, end.cell);
+    hits.rays |= bit;
+    hits.object[ray] = hit.object;
+    hits.triangle[ray] = hit.triangle;
+    hits.normal[0][ray] = hit.normal.x;
+    hits.normal[1][ray] = hit.normal.y;
+    hits.normal[2][ray] = hit.normal.z;
+}
+
+/// As walk_together, in rooms that are furnished. `objects(cell)` names those that the rays may meet there, from
+/// `first` on; of rays that end at one sink.met(hits) is told.
+template <int N, class SomeRays, class Objects, class Sink, class Events>
+HWY_NOINLINE void walk_among(const accel::SceneView& scene, const ObjectTracer& tracer, const SomeRays& rays,
+                             const Floats<N>& first, const Objects& objects, const Groups& start, Tints<N>& tints,
+                             Sink& sink, Events& events) {
+    Tints<N> before;
+    if (HWY_UNLIKELY(tints.any)) before = tints;
+    const Rays<N> lines = rays.all();
+    Floats<N> entered = first;
+    ObjectHits<N> hits;
+    Groups lists[2];
+    const Groups* now = &start;
+    Bits alone = 0;
+    for (std::uint64_t steps = 0; now->size > 0 && steps < scene.cells.count + 16; ++steps) {
+        Groups& next = lists[steps & 1];
+        next.size = 0;
+        for (int g = 0; g < now->size; ++g) {
+            const Group group = now->of[g];
+            for (Bits left = group.rays; left != 0; left &= left - 1)
+                events.entered_cell(scene.cells[group.cell].section_count);
+            Ways<N> ways;
+            leave_together(scene, rays, group.cell, group.rays, ways);
+            meet_objects(scene, tracer, objects(group.cell), lines, first, group, ways, entered, hits);
+            for (int i = 0; i < ways.size; ++i)
+                if (ways.of[i].rays != 0) take(scene, group.cell, ways.of[i], tints, sink, next, events);
+            alone |= ways.alone;
+        }
+        now = &next;
+    }
+    for (int g = 0; g < now->size; ++g) alone |= now->of[g].rays;
+    for (; HWY_UNLIKELY(alone != 0); alone &= alone - 1) {
+        const int ray = static_cast<int>(lowest_bit(alone));
+        tints.restore(ray, before);
+        walk_alone_among(scene, tracer, lines, first, ray, start.cell_of(ray), tints, sink, hits, events);
+    }
+    if (hits.rays != 0) sink.met(hits);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render
+HWY_AFTER_NAMESPACE();
