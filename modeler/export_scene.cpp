@@ -12,6 +12,7 @@
 #include "modeler/face_label.h"
 #include "modeler/materials.h"
 #include "modeler/model_group.h"
+#include "modeler/objects/scene_objects.h"
 #include "modeler/outline.h"
 
 namespace enfilade::modeler {
@@ -73,6 +74,7 @@ public:
         add_sections();
         add_spaces();
         input_.materials = materials_.take();
+        add_objects(building_, input_);
         return std::move(input_);
     }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "modeler/objects/furnishing_text.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -238,6 +239,7 @@ std::vector<accel::InputModelArray> model_group(const Building& building) {
     arrays.push_back(packed("m.pieces", building.pieces));
     arrays.push_back(packed("m.faces", building.faces));
     arrays.push_back(packed("m.volumes", building.volumes));
+    if (!building.furnishing.empty()) arrays.push_back(text_array("m.objects", furnishing_text(building.furnishing)));
     return arrays;
 }
 
@@ -272,6 +274,8 @@ Building read_model(const accel::Scene& scene) {
     building.faces = unpacked<Face>(scene, "m.faces");
     building.volumes = unpacked<Volume>(scene, "m.volumes");
     check_indices(building);
+    if (scene.find("m.objects"))
+        building.furnishing = read_furnishing(text_of(scene, "m.objects"), scene.view(), building.spaces);
     return building;
 }
 

@@ -249,7 +249,10 @@ private:
 class ObjectVolumes {
 public:
     ObjectVolumes(const Subject& subject, Blame& blame, CheckReport& report)
-        : subject_(subject), building_(subject.building), blame_(blame), report_(report) {}
+        : subject_(subject), building_(subject.building), blame_(blame), report_(report) {
+        for (const FurnishedObject& object : building_.furnishing.objects)
+            if (!object.volume.empty()) furnished_.insert(object.volume);
+    }
 
     void run() {
         for (std::uint32_t v = 0; v < building_.volumes.size(); ++v)
@@ -270,6 +273,8 @@ private:
             return blame(v, "does not lie inside one room", {around->begin(), around->end()});
         const std::uint32_t k = building_.spaces[own != UINT32_MAX ? own : *around->begin()].storey;
         if (k >= building_.storeys.size() || !subject_.spaces.storey(k)) return;
+        // Furniture is checked by itself: its volume may hold several pieces, and what the plan placed is no fault.
+        if (furnished_.contains(building_.spaces[building_.volumes[v].space].id)) return;
         check_doors(v, *subject_.spaces.storey(k));
     }
 
@@ -334,6 +339,7 @@ private:
     const Building& building_;
     Blame& blame_;
     CheckReport& report_;
+    std::set<std::string, std::less<>> furnished_;  ///< ids of volumes of the building's furniture
 };
 
 }  // namespace

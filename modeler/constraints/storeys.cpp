@@ -163,11 +163,17 @@ private:
         if (z == (side == below ? info.z_floor : info.z_ceiling)) {
             if (label(other) == Label::Slab) return true;
             if (other_info && is_well(other, *other_info)) return true;
-            return side == above && label(other) == Label::Exterior && is_outdoors(v);
+            return side == above && is_air(other) && is_outdoors(v);
         }
         // Openings over walls, walls over openings, the air above a fence.
         if (other_info) return other_info == &info;
-        return side == above && label(other) == Label::Exterior && is_outdoors(v);
+        return side == above && is_air(other) && is_outdoors(v);
+    }
+
+    /// The exterior, and what stands in it.
+    [[nodiscard]] bool is_air(std::uint32_t v) const {
+        const Space& space = building_.spaces[building_.volumes[v].space];
+        return label(v) == Label::Exterior || (label(v) == Label::Object && space.room == exterior_space);
     }
 
     /// Walls and what is in them where no room is beside them: no slab covers these.

@@ -9,11 +9,10 @@
 #include "modeler/realise.h"
 
 namespace enfilade::modeler {
-namespace {
 
-/// The building with these boxes instead of those that stand in it.
 Building with_boxes(const Building& building, std::vector<Box> boxes, const accel::Executor& executor,
                     EditCount* count) {
+    ENFILADE_CHECK(!building.stack.regions.empty());
     const std::shared_ptr<const Stack> bare =
         building.stack.bare ? building.stack.bare : std::make_shared<const Stack>(building.stack);
     Stack stack = boxes.empty() ? *bare : place_boxes(bare, std::move(boxes));
@@ -24,6 +23,7 @@ Building with_boxes(const Building& building, std::vector<Box> boxes, const acce
     edited.plan_json = building.plan_json;
     edited.sagitta = building.sagitta;
     edited.opaque_glass = building.opaque_glass;
+    edited.furnishing = building.furnishing;
     edited.max_deviation = std::max(edited.max_deviation, building.max_deviation);
     std::vector<Finding> findings = building.findings;
     // What rounding has done to this stack is known anew.
@@ -32,18 +32,14 @@ Building with_boxes(const Building& building, std::vector<Box> boxes, const acce
     return edited;
 }
 
-}  // namespace
-
 Building insert_boxes(const Building& building, std::span<const Box> boxes, const accel::Executor& executor,
                       EditCount* count) {
-    ENFILADE_CHECK(!building.stack.regions.empty());
     std::vector<Box> all = building.stack.boxes;
     all.insert(all.end(), boxes.begin(), boxes.end());
     return with_boxes(building, std::move(all), executor, count);
 }
 
 Building remove_box(const Building& building, std::string_view id, const accel::Executor& executor, EditCount* count) {
-    ENFILADE_CHECK(!building.stack.regions.empty());
     std::vector<Box> boxes = building.stack.boxes;
     const auto at = std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) { return box.id == id; });
     if (at == boxes.end())

@@ -41,6 +41,11 @@ struct EditCount {
                                     const accel::Executor& executor = accel::SerialExecutor(),
                                     EditCount* count = nullptr);
 
+/// The building with exactly these boxes, whatever stands in it. Throws and costs as `insert_boxes`. \pre as above
+[[nodiscard]] Building with_boxes(const Building& building, std::vector<Box> boxes,
+                                  const accel::Executor& executor = accel::SerialExecutor(),
+                                  EditCount* count = nullptr);
+
 /// The building without the box of that id: as if it had never been put in. Throws InputError P507 where there is none.
 /// \pre as above
 [[nodiscard]] Building remove_box(const Building& building, std::string_view id,

@@ -23,10 +23,11 @@ struct FurnishedObject {
     double angle = 0;                            ///< counter-clockwise, about the vertical; 0: the front towards -y
     std::array<double, 3> size = {1, 1, 1};      ///< width, depth, height of its box: its mesh is scaled to that
     bool mirrored = false;                       ///< left and right of the mesh exchanged
-    std::array<double, 9> turned = {1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< of the mesh before it is scaled: rows
+    std::array<double, 9> turned = {1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< the mesh before it is scaled: rows, not singular
     std::optional<std::array<float, 3>> colour;                  ///< of the whole object, linear RGB
     bool by_rule = false;                                        ///< placed by rule: S6 is strict about it
     std::string stands_on;                                       ///< id of the object that carries it; empty: none
+    std::string volume;  ///< id of the Object space that holds it (`Cut`); empty: it is listed by its room's cells
     friend bool operator==(const FurnishedObject&, const FurnishedObject&) = default;
 };
 
