@@ -12,6 +12,8 @@ std::vector<OwnPiece> all_pieces() {
     own::add_chairs(pieces);
     own::add_sofas(pieces);
     own::add_tables(pieces);
+    own::add_kitchen(pieces);
+    own::add_bathroom(pieces);
     own::add_storage(pieces);
     own::add_beds(pieces);
     own::add_office(pieces);

@@ -37,7 +37,7 @@ struct Drape {
 };
 
 void lay(Shaper& s, const Drape& drape, const Paint& cloth) {
-    const int rows = s.fine(18), columns = s.fine(24);
+    const int rows = s.fine(std::max(3, static_cast<int>((drape.to_y - drape.from_y) / 0.11))), columns = s.fine(22);
     std::vector<Ring> rings;
     for (int k = 0; k <= rows; ++k) {
         const double v = static_cast<double>(k) / rows;
@@ -55,7 +55,7 @@ void lay(Shaper& s, const Drape& drape, const Paint& cloth) {
 /// Seams across a drape, at detail 2 and more.
 void quilt(Shaper& s, const Drape& drape, int seams, const Paint& thread) {
     if (s.detail() < 2) return;
-    const int columns = s.fine(24);
+    const int columns = s.fine(22);
     for (int k = 1; k < seams; ++k) {
         std::vector<Vec> path;
         for (int i = 1; i < columns; ++i) {

@@ -17,7 +17,7 @@ void dress_spine(Shaper& s, const Size& size, const Paint& cover) {
     const double w = size.width;
     block(s, {0.15 * w, -0.0024, 0.68 * size.height}, {0.85 * w, 0.0015, 0.8 * size.height}, label, 0.0006);
     if (s.detail() < 3) return;
-    for (const double z : {0.12, 0.3, 0.5, 0.9}) {
+    for (const double z : {0.12, 0.9}) {
         block(s, {0.1 * w, -0.0027, z * size.height - 0.0015}, {0.9 * w, 0.0015, z * size.height + 0.0015}, cover,
               0.0007);
     }

@@ -8,6 +8,8 @@ namespace enfilade::modeler::own {
 void add_chairs(Pieces& pieces);
 void add_sofas(Pieces& pieces);
 void add_tables(Pieces& pieces);
+void add_kitchen(Pieces& pieces);
+void add_bathroom(Pieces& pieces);
 void add_storage(Pieces& pieces);
 void add_beds(Pieces& pieces);
 void add_office(Pieces& pieces);

@@ -15,13 +15,18 @@ std::vector<std::pair<double, double>> edge_profile(double radius, int steps) {
     return profile;
 }
 
+/// Wide edges are seen to be round even in plain pieces, narrow ones never.
+int edge_steps(const Shaper& shaper, double radius) {
+    if (radius < 0.0012) return 1;
+    return radius > 0.015 ? std::min(shaper.detail() + 2, 6) : std::min(shaper.detail(), 4);
+}
+
 }  // namespace
 
 void post(Shaper& shaper, Vec from, Vec to, Vec half_from, Vec half_to, const Paint& paint, double radius) {
     const double most = 0.98 * std::min({half_from.x, half_from.y, half_to.x, half_to.y});
     radius = std::min({radius, most, 0.49 * std::abs(to.z - from.z)});
-    // Wide edges are seen to be round even in plain pieces.
-    const int steps = radius > 0 ? std::min(shaper.detail() + (radius > 0.015 ? 2 : 0), 6) : 1;
+    const int steps = edge_steps(shaper, radius);
     std::vector<Ring> rings;
     const auto ring = [&](Vec centre, Vec half, double inset) {
         rings.push_back(rounded_rectangle(centre, half.x - inset, half.y - inset, radius - inset, steps));
