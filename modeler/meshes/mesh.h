@@ -40,7 +40,7 @@ struct MeshSolid {
     std::uint32_t first_vertex = 0;  ///< vertices of templates are counted from here
 };
 
-/// A name that the file gives to the faces from `first_face` on (`o` and `g` of OBJ, solids of STL).
+/// A name that the file gives to the faces from `first_face` on (`o`, `g` and `usemtl` of OBJ, solids of STL).
 struct MeshGroup {
     std::uint32_t first_face = 0;
     std::string name;
@@ -56,6 +56,8 @@ struct Mesh {
     std::vector<MeshShell> shells;                ///< CityJSON alone, in the order of the faces
     std::vector<MeshSolid> solids;                ///< CityJSON alone; elsewhere connected pieces are solids
     std::vector<MeshGroup> groups;                ///< ascending by face
+    std::vector<MeshGroup> materials;             ///< OBJ alone: the same of its materials
+    std::vector<std::string> material_files;      ///< OBJ alone: names of its material libraries
     std::vector<bool> merged;                     ///< [vertex] welded away; empty where nothing was
     std::vector<Finding> findings;                ///< what reading had to say
 
@@ -77,6 +79,9 @@ struct MeshOptions {
     double planar_distance = 0.01;  ///< G3: units, of a corner from the plane of its face
     double planar_angle_deg = 20;   ///< G3: between the plane and any triangle of the face
     std::size_t listed = 20;        ///< findings of a kind before the rest are counted in one
+    /// Coordinates that are none become NaN, vertices that do not exist numbers beyond `points`, instead of a refusal:
+    /// for those who leave such faces out themselves.
+    bool tolerant = false;
 };
 
 /// What was looked at, for reports and for comparing with other tools.

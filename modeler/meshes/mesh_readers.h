@@ -1,5 +1,6 @@
 #pragma once
 // One reader a format. Each fills points, faces, names and findings; none of them repairs anything.
+// `tolerant`: as in MeshOptions.
 
 #include <string>
 #include <string_view>
@@ -11,17 +12,17 @@ namespace enfilade::modeler {
 
 /// Wavefront OBJ: `v`, `f` with `v/vt/vn` and negative numbers, `o`, `g`, comments, continued lines. Vertices may come
 /// after the faces that use them.
-[[nodiscard]] Mesh read_obj(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_obj(std::string_view bytes, const std::string& file, bool tolerant = false);
 
 /// OFF and its variants with colours, normals and texture coordinates, which are passed over. `has_header`: false for a
 /// file that begins with its counts.
-[[nodiscard]] Mesh read_off(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_off(std::string_view bytes, const std::string& file, bool tolerant = false);
 
 /// PLY, as text or binary of either byte order; elements and properties other than places and faces are passed over.
-[[nodiscard]] Mesh read_ply(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_ply(std::string_view bytes, const std::string& file, bool tolerant = false);
 
 /// STL, as text or binary. The format has no indices: equal points become one vertex (P810).
-[[nodiscard]] Mesh read_stl(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_stl(std::string_view bytes, const std::string& file, bool tolerant = false);
 
 /// Whether the bytes are as many as a binary STL of their number of triangles has.
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);

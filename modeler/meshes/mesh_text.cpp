@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <limits>
 
 #include "base/error.h"
 #include "plans/utf8.h"
@@ -77,11 +78,14 @@ double MeshText::coordinate() {
     if (text.starts_with('+')) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size())
+    const bool is_number = error != std::errc::invalid_argument && end == text.data() + text.size();
+    if (!is_number && tolerant_) return std::numeric_limits<double>::quiet_NaN();
+    if (!is_number)
         fail("P802", text.empty() ? "A number is expected at the end of this line."
                                   : "A number is expected here, but " + in_quotes(text) + " stands here.");
     // Out of range is also what is too small to be told from 0.
     if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
+    if (!is_coordinate(value) && tolerant_) return std::numeric_limits<double>::quiet_NaN();
     if (!is_coordinate(value))
         fail("P803",
              "The coordinate " + in_quotes(text) + " is not a finite number below 1e12; export the mesh again.");

@@ -7,6 +7,8 @@
 
 namespace enfilade::modeler {
 
+/// What tolerant readers write for a vertex that cannot exist: no mesh has as many.
+inline constexpr std::uint32_t absent_vertex = UINT32_MAX;
 /// Coordinates beyond this are refused: their products must stay finite.
 inline constexpr double max_coordinate = 1e12;
 /// Corners of all faces: a map has four darts for each, numbered in 32 bits.
@@ -26,6 +28,9 @@ public:
     /// `#` begins a comment in what follows; a backslash at the end of a line continues it.
     void set_comments(bool on) { comments_ = on; }
     void set_continuation(bool on) { continuation_ = on; }
+    /// Coordinates that are none are NaN from now on, and no fault.
+    void set_tolerant(bool on) { tolerant_ = on; }
+    [[nodiscard]] bool is_tolerant() const { return tolerant_; }
 
     /// To the next token of this line; false where the line has no more.
     bool next_in_line();
@@ -58,6 +63,7 @@ private:
     std::size_t token_ = 0;
     bool comments_ = false;
     bool continuation_ = false;
+    bool tolerant_ = false;
 };
 
 /// `text` cut to what fits into a sentence, without control characters.

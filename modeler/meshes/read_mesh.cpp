@@ -60,20 +60,20 @@ bool is_obj_word(std::string_view word) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-Mesh read_any(std::string_view bytes, const std::string& name) {
+Mesh read_any(std::string_view bytes, const std::string& name, bool tolerant) {
     const std::string extension = extension_of(name);
     const std::string_view word = first_word(bytes);
     if (bytes.starts_with("\x1F\x8B"))
         throw InputError("P801", name, "The file is compressed: unpack it first (gunzip).");
     if (bytes.starts_with("PK\x03\x04")) throw InputError("P801", name, "The file is an archive: unpack it first.");
-    if (word == "ply") return read_ply(bytes, name);
+    if (word == "ply") return read_ply(bytes, name, tolerant);
     if (word.starts_with('{')) return read_city_json(bytes, name);
-    if (is_off_word(word)) return read_off(bytes, name);
-    if (is_binary_stl(bytes) || word == "solid") return read_stl(bytes, name);
-    if (extension == "obj") return read_obj(bytes, name);
-    if (extension == "off") return read_off(bytes, name);
-    if (extension == "stl") return read_stl(bytes, name);
-    if (is_obj_word(word)) return read_obj(bytes, name);
+    if (is_off_word(word)) return read_off(bytes, name, tolerant);
+    if (is_binary_stl(bytes) || word == "solid") return read_stl(bytes, name, tolerant);
+    if (extension == "obj") return read_obj(bytes, name, tolerant);
+    if (extension == "off") return read_off(bytes, name, tolerant);
+    if (extension == "stl") return read_stl(bytes, name, tolerant);
+    if (is_obj_word(word)) return read_obj(bytes, name, tolerant);
     throw InputError("P801", name, "This is no mesh that is read here: OBJ, OFF, PLY, STL and CityJSON are.");
 }
 
@@ -90,7 +90,7 @@ std::span<const MeshHole> Mesh::holes_of(std::size_t f) const {
 }
 
 Mesh read_mesh(std::string_view bytes, const std::string& name, const MeshOptions& options) {
-    Mesh mesh = read_any(bytes, name);
+    Mesh mesh = read_any(bytes, name, options.tolerant);
     if (mesh.points.size() >= UINT32_MAX) throw InputError("P800", name, "A mesh has fewer than 2^32 vertices.");
     if (mesh.face_count() == 0 && mesh.solids.empty() && mesh.findings.empty())
         throw InputError("P807", name, "The file has no face: there is nothing to check.");

@@ -6,7 +6,8 @@ namespace {
 
 class ObjReader {
 public:
-    ObjReader(std::string_view bytes, const std::string& file) : text_(bytes, file) {
+    ObjReader(std::string_view bytes, const std::string& file, bool tolerant) : text_(bytes, file) {
+        text_.set_tolerant(tolerant);
         text_.set_comments(true);
         text_.set_continuation(true);
     }
@@ -18,6 +19,8 @@ public:
             if (key == "v") read_vertex();
             else if (key == "f" || key == "fo") read_face();
             else if (key == "o" || key == "g") read_name(key == "o");
+            else if (key == "usemtl") add_group(mesh_.materials, rest());
+            else if (key == "mtllib") mesh_.material_files.push_back(rest());
             else if (key == "l" || key == "p" || key == "curv" || key == "surf") ++passed_over_;
             skip_logical_line();
         }
@@ -40,13 +43,15 @@ private:
             const std::size_t at = text_.position();
             const std::int64_t written = text_.integer_before('/');
             const auto count = static_cast<std::int64_t>(mesh_.points.size());
-            if (written == 0)
+            if (written == 0 && !text_.is_tolerant())
                 text_.fail("P804", "Vertices of an OBJ file are counted from 1; vertex 0 does not exist.");
-            if (written < -count)
+            if (written < -count && !text_.is_tolerant())
                 text_.fail("P804", "Vertex " + std::to_string(written) + " is counted back from here, but only " +
                                        std::to_string(count) + " vertices come before.");
-            const std::int64_t vertex = written > 0 ? written - 1 : count + written;
-            if (vertex >= std::int64_t{1} << 32) fail_range(at, written);
+            const std::int64_t named = written > 0 ? written - 1 : count + written;
+            if (named >= std::int64_t{1} << 32 && !text_.is_tolerant()) fail_range(at, written);
+            const bool can_exist = written != 0 && named >= 0 && named < std::int64_t{1} << 32;
+            const std::int64_t vertex = can_exist ? named : absent_vertex;
             if (vertex > highest_) highest_ = vertex, highest_at_ = at;
             mesh_.ring.push_back(static_cast<std::uint32_t>(vertex));
         }
@@ -55,13 +60,20 @@ private:
     }
 
     void read_name(bool is_object) {
-        std::string name = text_.next_in_line() ? text_.rest_of_line() : std::string();
+        std::string name = rest();
         if (is_object) object_ = name;
         // A group inside an object is a part of it: the object's name is the one that people know.
         else if (!object_.empty()) name = object_ + (name.empty() ? "" : ", " + name);
+        add_group(mesh_.groups, std::move(name));
+    }
+
+    std::string rest() { return text_.next_in_line() ? text_.rest_of_line() : std::string(); }
+
+    /// What is named before the next face came goes: it has no faces.
+    void add_group(std::vector<MeshGroup>& groups, std::string name) {
         const auto face = static_cast<std::uint32_t>(mesh_.face_count());
-        if (!mesh_.groups.empty() && mesh_.groups.back().first_face == face) mesh_.groups.pop_back();
-        mesh_.groups.push_back({face, std::move(name)});
+        if (!groups.empty() && groups.back().first_face == face) groups.pop_back();
+        groups.push_back({face, std::move(name)});
     }
 
     void skip_logical_line() {
@@ -76,7 +88,8 @@ private:
     }
 
     void finish() {
-        if (highest_ >= static_cast<std::int64_t>(mesh_.points.size())) fail_range(highest_at_, highest_ + 1);
+        if (highest_ >= static_cast<std::int64_t>(mesh_.points.size()) && !text_.is_tolerant())
+            fail_range(highest_at_, highest_ + 1);
         if (passed_over_ == 0) return;
         Finding finding{.code = "P812", .severity = Severity::Note};
         finding.sentence = std::to_string(passed_over_) + " lines, points or curves of the file are no faces.";
@@ -94,6 +107,8 @@ private:
 
 }  // namespace
 
-Mesh read_obj(std::string_view bytes, const std::string& file) { return ObjReader(bytes, file).read(); }
+Mesh read_obj(std::string_view bytes, const std::string& file, bool tolerant) {
+    return ObjReader(bytes, file, tolerant).read();
+}
 
 }  // namespace enfilade::modeler

@@ -6,7 +6,10 @@ namespace {
 
 class OffReader {
 public:
-    OffReader(std::string_view bytes, const std::string& file) : text_(bytes, file) { text_.set_comments(true); }
+    OffReader(std::string_view bytes, const std::string& file, bool tolerant) : text_(bytes, file) {
+        text_.set_comments(true);
+        text_.set_tolerant(tolerant);
+    }
 
     Mesh read() {
         if (text_.bytes().starts_with("\xEF\xBB\xBF")) text_.seek(3);
@@ -74,10 +77,11 @@ private:
         for (std::int64_t k = 0; k < corners; ++k) {
             if (!text_.next()) fail_end("face", f, count);
             const std::int64_t vertex = text_.integer();
-            if (vertex < 0 || vertex >= static_cast<std::int64_t>(mesh_.points.size()))
+            const bool exists = vertex >= 0 && vertex < static_cast<std::int64_t>(mesh_.points.size());
+            if (!exists && !text_.is_tolerant())
                 text_.fail("P804", "Vertex " + std::to_string(vertex) + " does not exist: the file has " +
                                        std::to_string(mesh_.points.size()) + ", counted from 0.");
-            mesh_.ring.push_back(static_cast<std::uint32_t>(vertex));
+            mesh_.ring.push_back(exists ? static_cast<std::uint32_t>(vertex) : absent_vertex);
         }
         if (mesh_.ring.size() > max_corners) text_.fail("P800", "The faces of this mesh have more than 2^30 corners.");
         mesh_.end_face();
@@ -96,6 +100,8 @@ private:
 
 }  // namespace
 
-Mesh read_off(std::string_view bytes, const std::string& file) { return OffReader(bytes, file).read(); }
+Mesh read_off(std::string_view bytes, const std::string& file, bool tolerant) {
+    return OffReader(bytes, file, tolerant).read();
+}
 
 }  // namespace enfilade::modeler

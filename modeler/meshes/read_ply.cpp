@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 
 #include "base/error.h"
 #include "modeler/meshes/mesh_readers.h"
@@ -85,6 +86,7 @@ private:
         if (text_.remaining() < bytes) fail("P805", "The file ends within a value: is it complete?");
     }
     double checked(double value) const {
+        if (!is_coordinate(value) && text_.is_tolerant()) return std::numeric_limits<double>::quiet_NaN();
         if (!is_coordinate(value))
             fail("P803", "A coordinate is not a finite number below 1e12; export the mesh again.");
         return value;
@@ -107,7 +109,9 @@ private:
 
 class PlyReader {
 public:
-    PlyReader(std::string_view bytes, const std::string& file) : text_(bytes, file) {}
+    PlyReader(std::string_view bytes, const std::string& file, bool tolerant) : text_(bytes, file) {
+        text_.set_tolerant(tolerant);
+    }
 
     Mesh read() {
         const PlyHeader header = read_ply_header(text_);
@@ -181,10 +185,11 @@ private:
         const std::uint64_t corners = values.length(property);
         for (std::uint64_t c = 0; c < corners; ++c) {
             const std::int64_t vertex = values.whole(property.type);
-            if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices_)
+            const bool exists = vertex >= 0 && static_cast<std::uint64_t>(vertex) < vertices_;
+            if (!exists && !text_.is_tolerant())
                 values.fail("P804", "Face " + std::to_string(face) + " names vertex " + std::to_string(vertex) +
                                         ", but the file has " + std::to_string(vertices_) + ", counted from 0.");
-            mesh_.ring.push_back(static_cast<std::uint32_t>(vertex));
+            mesh_.ring.push_back(exists ? static_cast<std::uint32_t>(vertex) : absent_vertex);
         }
         if (mesh_.ring.size() > max_corners) values.fail("P800", "The faces of this mesh have more than 2^30 corners.");
     }
@@ -207,6 +212,8 @@ private:
 
 }  // namespace
 
-Mesh read_ply(std::string_view bytes, const std::string& file) { return PlyReader(bytes, file).read(); }
+Mesh read_ply(std::string_view bytes, const std::string& file, bool tolerant) {
+    return PlyReader(bytes, file, tolerant).read();
+}
 
 }  // namespace enfilade::modeler

@@ -21,7 +21,9 @@ std::uint32_t little_u32(const char* at) {
 
 class StlReader {
 public:
-    StlReader(std::string_view bytes, const std::string& file) : text_(bytes, file) {}
+    StlReader(std::string_view bytes, const std::string& file, bool tolerant) : text_(bytes, file) {
+        text_.set_tolerant(tolerant);
+    }
 
     Mesh read_binary() {
         const std::string_view bytes = text_.bytes();
@@ -40,7 +42,7 @@ public:
             for (int k = 0; k < 3; ++k, corner += 12) {
                 MeshPoint point;
                 for (std::size_t i = 0; i < 3; ++i) point[i] = std::bit_cast<float>(little_u32(corner + 4 * i));
-                if (!std::all_of(point.begin(), point.end(), is_coordinate))
+                if (!std::all_of(point.begin(), point.end(), is_coordinate) && !text_.is_tolerant())
                     throw InputError("P803", text_.file(),
                                      "Triangle " + std::to_string(t) + " (byte " +
                                          std::to_string(corner - bytes.data()) +
@@ -130,6 +132,10 @@ private:
     }
 
     void add_corner(const MeshPoint& point) {
+        if (!std::all_of(point.begin(), point.end(), is_coordinate)) {  // in tolerant reading alone; equal to no other
+            mesh_.ring.push_back(absent_vertex);
+            return;
+        }
         const std::uint32_t vertex = index_.find_or_add(point, mesh_.points);
         if (vertex == mesh_.points.size()) mesh_.points.push_back(point);
         mesh_.ring.push_back(vertex);
@@ -157,8 +163,8 @@ bool is_binary_stl(std::string_view bytes) {
            bytes.size() == header_bytes + triangle_bytes * std::uint64_t{little_u32(bytes.data() + 80)};
 }
 
-Mesh read_stl(std::string_view bytes, const std::string& file) {
-    StlReader reader(bytes, file);
+Mesh read_stl(std::string_view bytes, const std::string& file, bool tolerant) {
+    StlReader reader(bytes, file, tolerant);
     // The header of a binary file may begin with "solid" as well: its size tells, else the zeros that fill it up.
     std::string_view head = bytes.substr(0, 1000);
     head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
