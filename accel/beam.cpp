@@ -36,6 +36,38 @@ void BeamWalker::start(BeamSource source) {
     pending_.push_back({step, 0});
 }
 
+void BeamWalker::start_mirrored(BeamSource source, const BeamStep& step) {
+    const Cell& cell = view_.cells[index(step.cell)];
+    const double floor = units(cell.z_floor);
+    const auto image = [&](const Interval& z) { return Interval{2 * floor - z.high, 2 * floor - z.low}; };
+    corners_.clear();
+    for (std::uint32_t i = 0; i < cell.section_count; ++i) corners_.push_back(corner(cell.first_section + i));
+    const double from_source = farthest(source, corners_);
+    const double from_reference = step.beam.has_gate ? farthest(step.beam.lit, corners_) : from_source;
+    const auto margin = double(options_.margin);
+    const Interval source_z = {double(source.z_low), double(source.z_high)};
+    const std::optional<HeightBeam> down =
+        through_level(step.beam.height, source_z, {{0, from_source}, {0, from_reference}}, Level::Floor,
+                      {floor - margin, floor + margin});
+    source.z_low = static_cast<std::int64_t>(2 * floor - source_z.high);
+    source.z_high = static_cast<std::int64_t>(2 * floor - source_z.low);
+    start(std::move(source));
+    if (!down) return pending_.clear();
+    BeamStep& first = pending_.back().step;
+    first.cell = step.cell;
+    // What came in by a side leaves by another; what came down through the ceiling may rise through it.
+    if (!step.is_level) first.portal = step.portal;
+    Beam& beam = first.beam;
+    if (step.beam.has_gate) {
+        beam = step.beam;
+        beam.opening = image(beam.opening);
+        beam.plan.left_chain = history_.add(UINT32_MAX, beam.gate.left, beam.gate.right, -1);
+        beam.plan.right_chain = history_.add(UINT32_MAX, beam.gate.right, beam.gate.left, 1);
+    }
+    beam.height = {image(down->z), {-down->slope.high, -down->slope.low}};
+    pending_.back().history_size = history_.size();
+}
+
 const BeamStep* BeamWalker::next() {
     if (!std::exchange(is_pruned_, true)) expand(current_);
     while (!pending_.empty()) {

@@ -24,8 +24,8 @@ struct BeamOptions {
     /// instead of being followed one by one: the work is linear in what is visible. 0: never.
     std::uint32_t max_beams = 64;
     std::uint32_t max_depth = UINT32_MAX;  ///< portals that are crossed at most
-    /// Rays may rise and fall on their way, as long as they keep their line on the plan: light that level mirrors throw
-    /// back does (render/mirror.h). Only that line decides then what is reached.
+    /// Rays may rise and fall on their way, as long as they keep their line on the plan, as light does between level
+    /// mirrors (render/mirror.h). Only that line decides then what is reached.
     bool any_height = false;
 };
 
@@ -41,6 +41,10 @@ public:
     explicit BeamWalker(const SceneView& view, const BeamOptions& options = {});
     /// Forgets what was before. \pre source.cell is a cell of the scene
     void start(BeamSource source);
+    /// Goes on with what the floor of the cell that `step` got to throws back, where it is a mirror and the beam gets
+    /// down to it: from that cell upwards. source: from which the step's beam has come; `source()` is its mirror image
+    /// then. Widened like a beam that begins at the step's last gate. \pre step is of a walker with these options
+    void start_mirrored(BeamSource source, const BeamStep& step);
     /// The next cell, valid until the next call; the first one is the source's own. nullptr at the end.
     const BeamStep* next();
     /// The beam of the last step goes no further.
