@@ -37,6 +37,14 @@ SceneStats stats(const Scene& scene) {
                    bytes(view.section_tails) + bytes(view.side_faces) + bytes(view.side_face_portals) +
                    bytes(view.portals) + bytes(view.tints);
     s.locator_bytes = bytes(view.locator_nodes) + bytes(view.locator_cells);
+    s.objects = view.objects.size();
+    s.meshes = view.meshes.size();
+    s.unique_triangles = view.mesh_triangles.size();
+    for (const PlacedObject& object : view.objects)
+        s.instanced_triangles += view.meshes[index(object.mesh)].triangle_count;
+    s.listed_objects = view.cell_objects.size();
+    s.object_bytes = bytes(view.objects) + bytes(view.cell_object_offsets) + bytes(view.cell_objects);
+    s.mesh_bytes = bytes(view.meshes) + bytes(view.mesh_vertices) + bytes(view.mesh_triangles);
     for (const SceneArray& array : scene.arrays()) {
         if (array.group == Group::Trace) s.trace_bytes += array.bytes.size();
         if (array.group == Group::Model) s.model_bytes += array.bytes.size();

@@ -1,45 +1,17 @@
 #include "accel/validate.h"
 
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <utility>
+
+#include "accel/defect_report.h"
 
 namespace enfilade::accel {
 namespace {
 
-constexpr std::size_t defect_limit = 32;
-constexpr std::size_t grain = 16384;  // elements a chunk: a few hundred kilobytes
+using detail::is_finite;
 
-std::string at(const char* array, std::size_t i) { return std::string(array) + "[" + std::to_string(i) + "]"; }
-
-bool is_finite(float v) { return std::abs(v) <= 3e38f; }  // false for NaN
-
-/// Defects in the order of the elements, whichever chunk was first.
-class Report {
-public:
-    void add(std::size_t order, const char* code, std::string sentence) {
-        const std::scoped_lock lock(mutex_);
-        if (found_.size() < 4 * defect_limit) found_.push_back({order, {code, std::move(sentence)}});
-    }
-    [[nodiscard]] bool empty() const { return found_.empty(); }
-    std::vector<Defect> take() {
-        std::ranges::stable_sort(found_, {}, &Entry::order);
-        std::vector<Defect> defects;
-        for (Entry& entry : found_)
-            if (defects.size() < defect_limit) defects.push_back(std::move(entry.defect));
-        found_.clear();
-        return defects;
-    }
-
-private:
-    struct Entry {
-        std::size_t order;
-        Defect defect;
-    };
-    std::mutex mutex_;
-    std::vector<Entry> found_;
-};
+std::string at(const char* array, std::size_t i) { return detail::element(array, i); }
 
 class Validator {
 public:
@@ -53,6 +25,7 @@ public:
         check_source_faces();
         check_locator();
         check_cell_ranges();
+        detail::validate_objects(view_, executor_, report_);
         if (!report_.empty()) return report_.take();  // what follows relies on the ranges
         check_cells();
         if (report_.empty()) check_portals_seen();
@@ -81,13 +54,9 @@ private:
         need(v.locator_cells.size() < UINT32_MAX >> 3, "the array locator_cells is too long");
     }
 
-    /// Calls is_sound(i) for all i < count; the first failures of each chunk are described.
     template <class IsSound, class Describe>
     void check_each(std::size_t count, const IsSound& is_sound, const Describe& describe) {
-        parallel_for(executor_, count, grain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (!is_sound(i)) return describe(i);
-        });
+        detail::check_each(executor_, count, is_sound, describe);
     }
 
     [[nodiscard]] bool is_text(TextId id) const { return index(id) + 1 < view_.text_offsets.size(); }
@@ -254,10 +223,11 @@ private:
     void check_cells() {
         seen_from_front_.assign(view_.portals.size(), 0);
         seen_from_back_.assign(view_.portals.size(), 0);
-        parallel_for(executor_, view_.cells.size(), grain / 4, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t c = begin; c < end; ++c)
-                if (auto defect = defect_of_cell(c)) return report_.add(c, "F6", std::move(*defect));
-        });
+        parallel_for(executor_, view_.cells.size(), detail::validate_grain / 4,
+                     [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t c = begin; c < end; ++c)
+                             if (auto defect = defect_of_cell(c)) return report_.add(c, "F6", std::move(*defect));
+                     });
     }
 
     void check_portals_seen() {
@@ -268,7 +238,7 @@ private:
 
     const SceneView& view_;
     const Executor& executor_;
-    Report report_;
+    detail::DefectReport report_;
     std::vector<char> seen_from_front_, seen_from_back_;
 };
 

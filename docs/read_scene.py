@@ -38,6 +38,15 @@ ELEMENTS = {
     "text": "u1",
     "locator_nodes": [("low", "<f4", 3), ("high", "<f4", 3), ("skip", "<u4"), ("first_and_count", "<u4")],
     "locator_cells": "<u4",
+    "meshes": [("first_vertex", "<u4"), ("first_triangle", "<u4"), ("vertex_count", "<u4"), ("triangle_count", "<u4"),
+               ("low", "<f4", 3), ("high", "<f4", 3), ("name", "<u4"), ("reserved", "<u4")],
+    "mesh_vertices": ("<f4", 3),
+    "mesh_triangles": [("corners", "<u4", 3), ("material", "<u4")],
+    "objects": [("scene_from_object", "<f4", (3, 4)), ("object_from_scene", "<f4", (3, 4)), ("low", "<f4", 3),
+                ("high", "<f4", 3), ("mesh", "<u4"), ("material", "<u4"), ("space", "<u4"), ("id", "<u4"),
+                ("name", "<u4"), ("reserved", "<u4")],
+    "cell_object_off": "<u4",
+    "cell_objects": "<u4",
 }
 LABELS = ["room", "wall", "slab", "door", "window", "opening", "stair", "shaft", "object", "exterior", "ground",
           "outside"]
@@ -90,6 +99,15 @@ def floor_areas(scene):
     return np.array(areas)
 
 
+def object_vertices(scene, k):
+    """Vertices of object k where they stand, n x 3."""
+    placed = scene["objects"][k]
+    mesh = scene["meshes"][placed["mesh"]]
+    own = scene["mesh_vertices"][mesh["first_vertex"]: mesh["first_vertex"] + mesh["vertex_count"]].astype(float)
+    rows = placed["scene_from_object"].astype(float)
+    return own @ rows[:, :3].T + rows[:, 3]
+
+
 def main():
     scene = read_scene(sys.argv[1])
     cells, spaces = scene["cells"], scene["spaces"]
@@ -102,6 +120,14 @@ def main():
         mine = cells["space"] == i
         if LABELS[space["label"]] == "room":
             print("room %-24s %3d cells %8.2f m2" % (text(scene, space["name"]), mine.sum(), areas[mine].sum()))
+    if "objects" in scene:
+        counts = scene["meshes"]["triangle_count"]
+        print("%d objects of %d meshes, %d triangles, %d where they stand" %
+              (scene["objects"].size, counts.size, counts.sum(), counts[scene["objects"]["mesh"]].sum()))
+        for k, placed in enumerate(scene["objects"]):
+            points = object_vertices(scene, k)
+            if points.size and ((points < placed["low"]).any() or (points > placed["high"]).any()):
+                raise ValueError("object %s is not in its box" % text(scene, placed["id"]))
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 
 #include "accel/assemble.h"
 #include "accel/scene_file.h"
+#include "tests/support/synthetic_objects.h"
 #include "tests/support/synthetic_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,7 +21,8 @@ TEST(ReadSceneScript, ReadsWhatTheLibraryWrites) {
             python = candidate;
     if (python.empty()) GTEST_SKIP() << "there is no python3 with numpy (Debian: python3-numpy)";
     const test::TemporaryFolder folder;
-    write(assemble(test::synthetic_office({.rooms_per_row = 2, .rows = 2})), folder.path() / "a.enf");
+    write(assemble(test::with_objects(test::synthetic_office({.rooms_per_row = 2, .rows = 2}), 1, 40)),
+          folder.path() / "a.enf");
     const std::string command = python + " " ENFILADE_SOURCE_DIR "/docs/read_scene.py " +
                                 (folder.path() / "a.enf").string() + " > " + (folder.path() / "out").string();
     ASSERT_EQ(std::system(command.c_str()), 0);
@@ -28,6 +30,7 @@ TEST(ReadSceneScript, ReadsWhatTheLibraryWrites) {
     const std::string out(std::istreambuf_iterator<char>(file), {});
     EXPECT_NE(out.find("unit 0.00012207 m"), std::string::npos) << out;
     EXPECT_NE(out.find("1 cells    20.00 m2"), std::string::npos) << out;
+    EXPECT_NE(out.find("40 objects of 4 meshes, 19 triangles"), std::string::npos) << out;
 }
 
 }  // namespace
