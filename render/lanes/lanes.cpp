@@ -112,12 +112,25 @@ void fill_tile(const detail::TileJob& job) {
     fill(Canvas(job), {job.x0, job.y0, job.x1, job.y1}, layers);
 }
 
+/// In furnished rooms rays are asked about objects one by one: strangers share no way through them.
 void nearest(const detail::StreamJob& job) {
+    if (job.objects != nullptr) return detail::kernels().nearest(job);
     counted(job, [&](auto& events) HWY_ATTR { nearest_rays(job, events); });
 }
 
+/// Walls first, for all; what they let pass is asked about objects.
 void visible(const detail::SegmentJob& job) {
-    counted(job, [&](auto& events) HWY_ATTR { visible_segments(job, events); });
+    detail::SegmentJob bare = job;
+    bare.objects = nullptr;
+    counted(bare, [&](auto& events) HWY_ATTR { visible_segments(bare, events); });
+    if (job.objects == nullptr) return;
+    detail::SegmentJob furnished = job;
+    furnished.stats = nullptr;  // these walks were counted
+    Alone<detail::SegmentJob> passing(furnished, detail::kernels().visible);
+    const Columns columns = {job.order};
+    for (std::uint64_t k = job.begin; k < job.end; ++k)
+        if (const std::uint64_t ray = columns.ray_at(k); job.visible[ray] != 0) passing.add(ray);
+    passing.flush();
 }
 
 const detail::LaneKernels* kernel_set() {
