@@ -21,7 +21,7 @@ endif()
 # Static libraries hand on what they link: whoever links ours needs these packages as well.
 set(ENFILADE_DEPENDENCIES "")
 get_property(found GLOBAL PROPERTY PACKAGES_FOUND)
-foreach(package IN ITEMS Threads CGAL OpenMesh TBB PNG OpenEXR embree assimp pugixml glm nlohmann_json hwy)
+foreach(package IN ITEMS Threads CGAL OpenMesh TBB PNG JPEG OpenEXR embree assimp pugixml glm nlohmann_json hwy)
   if(package IN_LIST found)
     if(package MATCHES "^(OpenMesh|OpenEXR)$")
       string(APPEND ENFILADE_DEPENDENCIES "find_dependency(${package} CONFIG)\n")  # OpenMesh: after CGAL the plain call fails

@@ -1,0 +1,30 @@
+#pragma once
+// Models of any format out of any archive or folder.
+
+#include <string>
+#include <string_view>
+
+#include "modeler/catalogue/file_tree.h"
+#include "modeler/catalogue/raw_mesh.h"
+
+namespace enfilade::modeler {
+
+enum class ReadImages : bool { No, Yes };
+
+/// The model of that name: OBJ with its materials, OFF, PLY, STL (modeler/meshes), glTF, GLB (assimp), or the first of
+/// them inside a zip archive of that name. With `ReadImages::Yes`, materials with a texture take its mean colour.
+/// \throws InputError K107 where there is no triangle to be had from it, K103 where its archive is damaged
+[[nodiscard]] RawMesh read_model(const FileTree& files, const std::string& name, ReadImages images);
+
+/// Whether a file of that name may be a model of a kind that is read, by its extension.
+[[nodiscard]] bool has_model_extension(std::string_view name);
+
+/// Wavefront OBJ; its material libraries are looked for beside it. \throws InputError P80x
+[[nodiscard]] RawMesh read_obj_model(const FileTree& files, const std::string& name, std::string_view bytes,
+                                     ReadImages images);
+
+/// glTF 2.0, as JSON or binary, by assimp; every mesh at each of its nodes. \throws InputError K107
+[[nodiscard]] RawMesh read_gltf_model(const FileTree& files, const std::string& name, std::string_view bytes,
+                                      ReadImages images);
+
+}  // namespace enfilade::modeler
