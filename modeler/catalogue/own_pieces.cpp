@@ -12,6 +12,10 @@ std::vector<OwnPiece> all_pieces() {
     own::add_chairs(pieces);
     own::add_sofas(pieces);
     own::add_tables(pieces);
+    own::add_electronics(pieces);
+    own::add_decoration(pieces);
+    own::add_lamps(pieces);
+    own::add_plants(pieces);
     own::add_kitchen(pieces);
     own::add_bathroom(pieces);
     own::add_storage(pieces);

@@ -214,18 +214,18 @@ void cot(Shaper& s, const Size& size) {
 
 void add_beds(Pieces& pieces) {
     pieces.push_back(
-        piece<"own/bed", Size{0.98, 2.08, 0.92}>("Single bed, oak", "bed", "Beds", [](Shaper& s, const Size& size) {
+        piece<"own/bed", Size{1.01, 2.07, 0.92}>("Single bed, oak", "bed", "Beds", [](Shaper& s, const Size& size) {
             wooden_bed(s, size, oak, {.cover = sage, .blanket = linen, .accent = cotton});
         }));
     pieces.push_back(
-        piece<"own/bed-walnut", Size{1.2, 2.1, 0.95}>("Bed, walnut", "bed", "Beds", [](Shaper& s, const Size& size) {
+        piece<"own/bed-walnut", Size{1.23, 2.09, 0.95}>("Bed, walnut", "bed", "Beds", [](Shaper& s, const Size& size) {
             wooden_bed(s, size, walnut, {.cover = off_white, .blanket = terracotta_cloth, .accent = mustard});
         }));
-    pieces.push_back(piece<"own/double-bed", Size{1.74, 2.14, 1.1}>(
+    pieces.push_back(piece<"own/double-bed", Size{1.76, 2.14, 1.1}>(
         "Double bed, padded", "double_bed", "Beds", [](Shaper& s, const Size& size) {
             padded_bed(s, size, wool, {.cover = linen, .blanket = petrol, .accent = mustard});
         }));
-    pieces.push_back(piece<"own/double-bed-oak", Size{1.66, 2.12, 0.98}>(
+    pieces.push_back(piece<"own/double-bed-oak", Size{1.69, 2.11, 0.98}>(
         "Double bed, oak", "double_bed", "Beds", [](Shaper& s, const Size& size) {
             wooden_bed(s, size, oak, {.cover = cotton, .blanket = navy, .accent = rose});
         }));

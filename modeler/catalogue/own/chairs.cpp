@@ -104,11 +104,11 @@ void bench(Shaper& s, const Size& size, const Paint& wood) {
 }  // namespace
 
 void add_chairs(Pieces& pieces) {
-    pieces.push_back(piece<"own/chair", Size{0.46, 0.53, 0.86}>(
+    pieces.push_back(piece<"own/chair", Size{0.445, 0.545, 0.845}>(
         "Dining chair, oak", "chair", "Seats", [](Shaper& s, const Size&) { dining_chair(s, oak, linen, 3); }));
-    pieces.push_back(piece<"own/chair-walnut", Size{0.46, 0.53, 0.86}>(
+    pieces.push_back(piece<"own/chair-walnut", Size{0.445, 0.545, 0.845}>(
         "Dining chair, walnut", "chair", "Seats", [](Shaper& s, const Size&) { dining_chair(s, walnut, petrol, 2); }));
-    pieces.push_back(piece<"own/chair-shell", Size{0.47, 0.54, 0.82}>(
+    pieces.push_back(piece<"own/chair-shell", Size{0.45, 0.53, 0.83}>(
         "Shell chair", "chair", "Seats", [](Shaper& s, const Size&) { shell_chair(s, sage_lacquer, beech); }));
     pieces.push_back(piece<"own/stool", Size{0.35, 0.35, 0.655}>(
         "Bar stool", "stool", "Seats", [](Shaper& s, const Size&) { bar_stool(s, oak, iron); }));

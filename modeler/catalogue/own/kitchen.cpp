@@ -45,7 +45,8 @@ void worktop_with_hole(Shaper& s, double x, double front_y, double back_y, doubl
 void kitchen_sink(Shaper& s, const Size& size) {
     const double x = size.width / 2, y = size.depth / 2, face = -y + 0.05;
     // Carcass in boards: the bowl hangs in it.
-    for (const double side : both) block(s, {side > 0 ? x - 0.018 : -x, face, 0.1}, {side > 0 ? x : -x + 0.018, y, top - slab}, off_white, 0);
+    for (const double side : both)
+        block(s, {side > 0 ? x - 0.018 : -x, face, 0.1}, {side > 0 ? x : -x + 0.018, y, top - slab}, off_white, 0);
     block(s, {-x + 0.018, face, 0.1}, {x - 0.018, y, 0.118}, off_white, 0);
     block(s, {-x + 0.018, y - 0.018, 0.118}, {x - 0.018, y, top - slab}, off_white, 0);
     block(s, {-x + 0.018, face, 0.118}, {x - 0.018, face + 0.018, top - slab}, off_white, 0);
@@ -54,15 +55,25 @@ void kitchen_sink(Shaper& s, const Size& size) {
     worktop_with_hole(s, x, -y + 0.012, y, 0, cy, hx, hy);
     {
         const auto scope = s.inside(move(0, cy, 0));
-        vessel(s, {.half_bottom = {hx - 0.03, hy - 0.03, 0}, .half_rim = {hx + 0.012, hy + 0.012, 0}, .bottom = top - 0.2, .rim = top + 0.006,
-                   .floor = 0.008, .wall = 0.022, .slope = 1.6, .corner = 0.22, .plain = 24}, steel);
+        vessel(s,
+               {.half_bottom = {hx - 0.03, hy - 0.03, 0},
+                .half_rim = {hx + 0.012, hy + 0.012, 0},
+                .bottom = top - 0.2,
+                .rim = top + 0.006,
+                .floor = 0.008,
+                .wall = 0.022,
+                .slope = 1.6,
+                .corner = 0.22,
+                .plain = 24},
+               steel);
         const auto drain = s.inside(move(0, 0, top - 0.193));
         drum(s, {}, 0.035, 0.004, chrome, 0.002, 18);
         drum(s, {0, 0, 0.003}, 0.02, 0.003, charcoal, 0.001, 14);
     }
     tap(s, {0.0, y - 0.075, top}, 0.3, 0.19, chrome);
     for (const double side : both) {
-        framed_front(s, {side > 0 ? 0.001 : -x + 0.001, face, 0.105}, {side > 0 ? x - 0.001 : -0.001, face, top - slab - 0.002}, cupboard);
+        framed_front(s, {side > 0 ? 0.001 : -x + 0.001, face, 0.105},
+                     {side > 0 ? x - 0.001 : -0.001, face, top - slab - 0.002}, cupboard);
         bar_handle(s, {side * 0.045, face - 0.018, 0.72}, 0.15, true, brass);
     }
 }
@@ -109,7 +120,8 @@ void fridge(Shaper& s, const Size& size) {
     block(s, {0.08, face - 0.0565, 1.52}, {0.2, face - 0.054, 1.58}, screen, 0.001);
     const Paint* magnets[] = {&mustard, &terracotta, &paper};
     for (int k = 0; k < 3; ++k) {
-        block(s, {-0.02 + 0.06 * k, face - 0.058, 1.25 - 0.05 * (k % 2)}, {0.025 + 0.06 * k + (k == 2 ? 0.04 : 0), face - 0.054, 1.29 + 0.02 * k}, *magnets[k], 0.001);
+        block(s, {-0.02 + 0.06 * k, face - 0.058, 1.25 - 0.05 * (k % 2)},
+              {0.025 + 0.06 * k + (k == 2 ? 0.04 : 0), face - 0.054, 1.29 + 0.02 * k}, *magnets[k], 0.001);
     }
 }
 
@@ -138,18 +150,23 @@ void wall_cabinet(Shaper& s, const Size& size) {
 }  // namespace
 
 void add_kitchen(Pieces& pieces) {
-    pieces.push_back(piece<"own/kitchen-unit", Size{0.6, 0.62, 0.9}>("Kitchen unit", "kitchen_unit", "Kitchen",
-        [](Shaper& s, const Size& size) { kitchen_unit(s, size, 1, false); }, {.top = 0.9}));
-    pieces.push_back(piece<"own/kitchen-unit-drawers", Size{0.8, 0.62, 0.9}>("Kitchen unit with drawers", "kitchen_unit", "Kitchen",
+    pieces.push_back(piece<"own/kitchen-unit", Size{0.6, 0.62, 0.9}>(
+        "Kitchen unit", "kitchen_unit", "Kitchen", [](Shaper& s, const Size& size) { kitchen_unit(s, size, 1, false); },
+        {.top = 0.9}));
+    pieces.push_back(piece<"own/kitchen-unit-drawers", Size{0.8, 0.62, 0.9}>(
+        "Kitchen unit with drawers", "kitchen_unit", "Kitchen",
         [](Shaper& s, const Size& size) { kitchen_unit(s, size, 1, true); }, {.top = 0.9}));
-    pieces.push_back(piece<"own/kitchen-sink", Size{0.8, 0.62, 1.2}>("Kitchen sink", "kitchen_sink", "Kitchen",
-        [](Shaper& s, const Size& size) { kitchen_sink(s, size); }));
-    pieces.push_back(piece<"own/stove", Size{0.6, 0.62, 0.9}>("Stove", "stove", "Kitchen", [](Shaper& s, const Size& size) { stove(s, size); }));
-    pieces.push_back(piece<"own/fridge", Size{0.6, 0.68, 1.86}>("Fridge", "fridge", "Kitchen", [](Shaper& s, const Size& size) { fridge(s, size); }));
-    pieces.push_back(piece<"own/dishwasher", Size{0.6, 0.62, 0.9}>("Dishwasher", "dishwasher", "Kitchen",
-        [](Shaper& s, const Size& size) { dishwasher(s, size); }, {.top = 0.9}));
-    pieces.push_back(piece<"own/wall-cabinet", Size{0.8, 0.37, 0.7}>("Wall cabinet", "wall_cabinet", "Kitchen",
-        [](Shaper& s, const Size& size) { wall_cabinet(s, size); }, {.elevation = 1.45}));
+    pieces.push_back(piece<"own/kitchen-sink", Size{0.8, 0.62, 1.2}>(
+        "Kitchen sink", "kitchen_sink", "Kitchen", [](Shaper& s, const Size& size) { kitchen_sink(s, size); }));
+    pieces.push_back(piece<"own/stove", Size{0.6, 0.628, 0.9}>("Stove", "stove", "Kitchen",
+                                                               [](Shaper& s, const Size& size) { stove(s, size); }));
+    pieces.push_back(piece<"own/fridge", Size{0.6, 0.68, 1.86}>("Fridge", "fridge", "Kitchen",
+                                                                [](Shaper& s, const Size& size) { fridge(s, size); }));
+    pieces.push_back(piece<"own/dishwasher", Size{0.6, 0.62, 0.9}>(
+        "Dishwasher", "dishwasher", "Kitchen", [](Shaper& s, const Size& size) { dishwasher(s, size); }, {.top = 0.9}));
+    pieces.push_back(piece<"own/wall-cabinet", Size{0.8, 0.37, 0.7}>(
+        "Wall cabinet", "wall_cabinet", "Kitchen", [](Shaper& s, const Size& size) { wall_cabinet(s, size); },
+        {.elevation = 1.45}));
 }
 
 }  // namespace enfilade::modeler::own

@@ -248,7 +248,7 @@ void bin(Shaper& s) {
     lathe(s, profile, charcoal, 28);
     plans::Random random({0xB1u});
     for (int k = 0; k < 5; ++k) {  // crumpled paper
-        const double angle = 72.0 * k, r = 0.05;
+        const double angle = 72.0 * k, r = 0.055;
         const auto scope = s.inside(move(r * std::cos(degrees(angle)), r * std::sin(degrees(angle)), 0.17 + 0.01 * k) *
                                     turn_z(50 * k) * turn_x(30 * k));
         std::vector<Ring> rings;
@@ -287,16 +287,16 @@ void add_office(Pieces& pieces) {
         [](Shaper& s, const Size& size) { frame_desk(s, size, white, light_grey, nullptr); }, {.top = 0.73}));
     pieces.push_back(piece<"own/desk-walnut", Size{1.2, 0.62, 0.93}>(
         "Writing desk", "desk", "Office", [](Shaper& s, const Size& size) { writing_desk(s, size); }, {.top = 0.75}));
-    pieces.push_back(piece<"own/office-chair", Size{0.68, 0.68, 1.05}>(
+    pieces.push_back(piece<"own/office-chair", Size{0.67, 0.59, 1.04}>(
         "Office chair", "office_chair", "Office",
         [](Shaper& s, const Size&) { office_chair(s, dark_wool, charcoal, false); }));
-    pieces.push_back(piece<"own/office-chair-blue", Size{0.68, 0.68, 1.05}>(
+    pieces.push_back(piece<"own/office-chair-blue", Size{0.67, 0.59, 1.04}>(
         "Office chair, blue", "office_chair", "Office",
         [](Shaper& s, const Size&) { office_chair(s, deep_blue, light_grey, false); }));
-    pieces.push_back(piece<"own/office-chair-head", Size{0.68, 0.68, 1.22}>(
+    pieces.push_back(piece<"own/office-chair-head", Size{0.67, 0.59, 1.22}>(
         "Office chair with head rest", "office_chair", "Office",
         [](Shaper& s, const Size&) { office_chair(s, leather, chrome, true); }));
-    pieces.push_back(piece<"own/filing-cabinet", Size{0.42, 0.62, 1.32}>(
+    pieces.push_back(piece<"own/filing-cabinet", Size{0.42, 0.637, 1.32}>(
         "Filing cabinet", "filing_cabinet", "Office", [](Shaper& s, const Size& size) { filing_cabinet(s, size); },
         {.top = 1.32}));
     pieces.push_back(piece<"own/whiteboard", Size{1.6, 0.1, 1.1}>(

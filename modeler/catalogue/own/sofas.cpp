@@ -74,30 +74,30 @@ void sofa(Shaper& s, const Size& size, const SofaLook& look) {
 
 void add_sofas(Pieces& pieces) {
     pieces.push_back(
-        piece<"own/sofa", Size{1.9, 0.92, 0.86}>("Sofa, two seats", "sofa", "Seats", [](Shaper& s, const Size& size) {
+        piece<"own/sofa", Size{1.9, 0.925, 0.875}>("Sofa, two seats", "sofa", "Seats", [](Shaper& s, const Size& size) {
             sofa(s, size, {.seats = 2, .cloth = wool, .welt = dark_wool, .accent = mustard, .wood = oak});
         }));
-    pieces.push_back(piece<"own/sofa-large", Size{2.35, 0.95, 0.86}>(
+    pieces.push_back(piece<"own/sofa-large", Size{2.35, 0.955, 0.875}>(
         "Sofa, three seats", "sofa", "Seats", [](Shaper& s, const Size& size) {
             sofa(s, size, {.seats = 3, .cloth = linen, .welt = off_white, .accent = petrol, .wood = walnut});
         }));
-    pieces.push_back(piece<"own/sofa-leather", Size{1.7, 0.88, 0.84}>("Leather sofa", "sofa", "Seats",
-                                                                      [](Shaper& s, const Size& size) {
-                                                                          sofa(s, size,
-                                                                               {.seats = 2,
-                                                                                .cloth = leather,
-                                                                                .welt = leather,
-                                                                                .accent = linen,
-                                                                                .wood = iron,
-                                                                                .pillows = 1,
-                                                                                .is_buttoned = true});
-                                                                      }));
-    pieces.push_back(
-        piece<"own/armchair", Size{0.86, 0.88, 0.86}>("Armchair", "armchair", "Seats", [](Shaper& s, const Size& size) {
+    pieces.push_back(piece<"own/sofa-leather", Size{1.7, 0.885, 0.875}>("Leather sofa", "sofa", "Seats",
+                                                                        [](Shaper& s, const Size& size) {
+                                                                            sofa(s, size,
+                                                                                 {.seats = 2,
+                                                                                  .cloth = leather,
+                                                                                  .welt = leather,
+                                                                                  .accent = linen,
+                                                                                  .wood = iron,
+                                                                                  .pillows = 1,
+                                                                                  .is_buttoned = true});
+                                                                        }));
+    pieces.push_back(piece<"own/armchair", Size{0.86, 0.885, 0.875}>(
+        "Armchair", "armchair", "Seats", [](Shaper& s, const Size& size) {
             sofa(s, size,
                  {.seats = 1, .cloth = petrol, .welt = petrol, .wood = oak, .pillows = 0, .is_buttoned = true});
         }));
-    pieces.push_back(piece<"own/armchair-rose", Size{0.82, 0.85, 0.86}>(
+    pieces.push_back(piece<"own/armchair-rose", Size{0.82, 0.855, 0.875}>(
         "Armchair, rose", "armchair", "Seats", [](Shaper& s, const Size& size) {
             sofa(s, size, {.seats = 1, .cloth = rose, .welt = rose, .accent = linen, .wood = walnut, .pillows = 1});
         }));

@@ -52,10 +52,10 @@ void drawers(Shaper& s, const Size& size, const DrawerLook& look) {
 }
 
 void wardrobe(Shaper& s, const Size& size, const Paint& body, const Paint& face, int doors, bool is_framed) {
-    const double x = size.width / 2, y = size.depth / 2, front_y = -y + 0.05;
+    const double x = size.width / 2 - 0.012, y = size.depth / 2, front_y = -y + 0.05;
     block(s, {-x + 0.02, front_y + 0.03, 0}, {x - 0.02, y - 0.01, 0.075}, body, 0);
     block(s, {-x, front_y, 0.07}, {x, y, size.height - 0.05}, body, 0.003);
-    block(s, {-x - 0.0, front_y - 0.02, size.height - 0.05}, {x, y, size.height - 0.02}, body, 0.006);
+    block(s, {-x, front_y - 0.02, size.height - 0.05}, {x, y, size.height - 0.02}, body, 0.006);
     block(s, {-x - 0.012, front_y - 0.034, size.height - 0.022}, {x + 0.012, y, size.height}, body, 0.008);
     const double width = (2 * x - 0.012) / doors, split = is_framed ? 0.48 : 0.08;
     for (int k = 0; k < doors; ++k) {
@@ -261,7 +261,7 @@ void shoe_cabinet(Shaper& s, const Size& size) {
 }  // namespace
 
 void add_storage(Pieces& pieces) {
-    pieces.push_back(piece<"own/chest-of-drawers", Size{0.9, 0.46, 0.86}>(
+    pieces.push_back(piece<"own/chest-of-drawers", Size{0.9, 0.45, 0.86}>(
         "Chest of drawers", "chest_of_drawers", "Storage",
         [](Shaper& s, const Size& size) {
             drawers(s, size, {.rows = 4, .body = walnut, .face = walnut, .metal = brass, .has_bars = false});
@@ -279,16 +279,16 @@ void add_storage(Pieces& pieces) {
             drawers(s, size, {.rows = 2, .columns = 4, .body = oak, .face = deep_blue, .metal = brass, .legs = 0.18});
         },
         {.top = 0.75}));
-    pieces.push_back(piece<"own/bedside-table", Size{0.45, 0.4, 0.5}>(
+    pieces.push_back(piece<"own/bedside-table", Size{0.45, 0.39, 0.5}>(
         "Bedside table", "bedside_table", "Storage",
         [](Shaper& s, const Size& size) {
             drawers(s, size, {.rows = 2, .body = oak, .face = white, .metal = oak, .legs = 0.16, .has_bars = false});
         },
         {.top = 0.5}));
-    pieces.push_back(piece<"own/wardrobe", Size{1.5, 0.62, 2.1}>(
+    pieces.push_back(piece<"own/wardrobe", Size{1.52, 0.62, 2.1}>(
         "Wardrobe", "wardrobe", "Storage",
         [](Shaper& s, const Size& size) { wardrobe(s, size, white, off_white, 3, true); }));
-    pieces.push_back(piece<"own/wardrobe-oak", Size{1.0, 0.6, 2.0}>(
+    pieces.push_back(piece<"own/wardrobe-oak", Size{1.02, 0.6, 2.0}>(
         "Wardrobe, oak", "wardrobe", "Storage",
         [](Shaper& s, const Size& size) { wardrobe(s, size, oak, oak, 2, false); }));
     pieces.push_back(piece<"own/bookshelf", Size{0.9, 0.3, 2.0}>(
@@ -303,14 +303,14 @@ void add_storage(Pieces& pieces) {
     pieces.push_back(piece<"own/shelf", Size{1.12, 0.39, 1.12}>(
         "Shelf of cubes", "shelf", "Storage", [](Shaper& s, const Size& size) { cube_shelf(s, size, white, 3, 3); },
         {.top = 1.12}));
-    pieces.push_back(piece<"own/shelf-wall", Size{0.9, 0.22, 0.34}>(
+    pieces.push_back(piece<"own/shelf-wall", Size{0.9, 0.22, 0.32}>(
         "Wall shelf", "shelf", "Storage", [](Shaper& s, const Size& size) { wall_shelf(s, size); },
         {.elevation = 1.3}));
     pieces.push_back(piece<"own/coat-rack", Size{0.48, 0.48, 1.78}>(
         "Coat rack", "coat_rack", "Storage", [](Shaper& s, const Size& size) { coat_rack(s, size); }));
-    pieces.push_back(piece<"own/umbrella-stand", Size{0.26, 0.25, 0.84}>(
+    pieces.push_back(piece<"own/umbrella-stand", Size{0.264, 0.24, 0.844}>(
         "Umbrella stand", "umbrella_stand", "Storage", [](Shaper& s, const Size&) { umbrella_stand(s); }));
-    pieces.push_back(piece<"own/tv-stand", Size{1.6, 0.42, 0.48}>(
+    pieces.push_back(piece<"own/tv-stand", Size{1.6, 0.425, 0.48}>(
         "TV stand", "tv_stand", "Storage", [](Shaper& s, const Size& size) { tv_stand(s, size); }, {.top = 0.48}));
     pieces.push_back(piece<"own/dressing-table", Size{0.95, 0.45, 1.42}>(
         "Dressing table", "dressing_table", "Storage", [](Shaper& s, const Size& size) { dressing_table(s, size); }));
