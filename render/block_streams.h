@@ -100,6 +100,8 @@ void answer_rays(const detail::StreamJob& job, const BlockOfStream& of, RayBlock
     of.give(job.source_face, [&](std::uint32_t r) { return static_cast<accel::SourceFaceId>(block.target[r]); });
     of.give(job.cell, [&](std::uint32_t r) { return static_cast<accel::CellId>(block.cell[r]); });
     of.give(job.status, [&](std::uint32_t r) { return static_cast<WalkStatus>(block.status[r]); });
+    of.give(job.object, [](std::uint32_t) { return static_cast<accel::ObjectId>(~0u); });  // blocks meet faces alone
+    of.give(job.triangle, [](std::uint32_t) { return no_triangle; });
 }
 
 void nearest_blocks(const detail::StreamJob& job) {

@@ -63,15 +63,15 @@ const LaneKernels* lane_kernels() { return nullptr; }
 #endif
 
 void trace_rays(const accel::SceneView& scene, std::span<const RayQuery> rays, std::span<RayHit> hits,
-                Precision precision, RayStats* stats) {
-    const detail::RayJob job = {&scene, rays.data(), hits.data(), std::min(rays.size(), hits.size()), stats};
+                Precision precision, RayStats* stats, const ObjectTracer* objects) {
+    const detail::RayJob job = {&scene, rays.data(), hits.data(), std::min(rays.size(), hits.size()), stats, objects};
     const detail::Kernels& kernels = detail::kernels();
     (precision == Precision::Float ? kernels.rays_float : kernels.rays_double)(job);
 }
 
-RayHit trace_ray(const accel::SceneView& scene, const RayQuery& ray, Precision precision) {
+RayHit trace_ray(const accel::SceneView& scene, const RayQuery& ray, Precision precision, const ObjectTracer* objects) {
     RayHit hit;
-    trace_rays(scene, {&ray, 1}, {&hit, 1}, precision);
+    trace_rays(scene, {&ray, 1}, {&hit, 1}, precision, nullptr, objects);
     return hit;
 }
 

@@ -39,6 +39,7 @@ struct RayJob {
     RayHit* hits;
     std::uint64_t count;
     RayStats* stats;
+    const ObjectTracer* objects;  ///< nullptr: rooms are walked bare
 };
 
 /// Rays of a stream (ray_stream.h) by their columns; columns that are not wanted are nullptr.

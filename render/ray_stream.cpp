@@ -57,6 +57,9 @@ void nearest(const accel::SceneView& scene, const RayColumns& rays, const HitCol
     job.source_face = data_or_null(hits.source_face);
     job.cell = data_or_null(hits.cell);
     job.status = data_or_null(hits.status);
+    job.object = data_or_null(hits.object);
+    job.triangle = data_or_null(hits.triangle);
+    job.objects = scene.has_objects() ? options.objects : nullptr;
     const detail::LaneKernels* lanes = detail::lane_kernels();
     const bool is_scalar = options.tracer == Tracer::Scalar || lanes == nullptr;
     run_chunks(job, rays.cell.size(), options, is_scalar ? detail::kernels().nearest : lanes->nearest);
@@ -75,6 +78,7 @@ void visible(const accel::SceneView& scene, const SegmentColumns& segments, std:
     job.from_cell = segments.from_cell.data();
     job.to_cell = data_or_null(segments.to_cell);
     job.visible = visible.data();
+    job.objects = scene.has_objects() ? options.objects : nullptr;
     const detail::LaneKernels* lanes = detail::lane_kernels();
     const bool is_scalar = options.tracer == Tracer::Scalar || lanes == nullptr;
     run_chunks(job, segments.from_cell.size(), options, is_scalar ? detail::kernels().visible : lanes->visible);
