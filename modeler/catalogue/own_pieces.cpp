@@ -12,6 +12,7 @@ std::vector<OwnPiece> all_pieces() {
     own::add_chairs(pieces);
     own::add_sofas(pieces);
     own::add_tables(pieces);
+    own::add_leisure(pieces);
     own::add_electronics(pieces);
     own::add_decoration(pieces);
     own::add_lamps(pieces);

@@ -81,6 +81,26 @@ void bar_stool(Shaper& s, const Paint& wood, const Paint& metal) {
     }
 }
 
+/// Three legs, bent at their tops, under a round seat.
+void low_stool(Shaper& s, const Paint& wood) {
+    drum(s, {0, 0, 0.42}, 0.175, 0.03, wood, 0.01, 36);
+    for (int k = 0; k < 4; ++k) {
+        const auto scope = s.inside(turn_z(45 + 90 * k));
+        const Vec bend[] = {{0.19, 0, 0}, {0.183, 0, 0.2}, {0.176, 0, 0.36}, {0.15, 0, 0.412}, {0.09, 0, 0.414}};
+        const std::vector<Vec> path = curve(bend, s.fine(3));
+        std::vector<Ring> rings;
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            const Vec along = unit(path[std::min(i + 1, path.size() - 1)] - path[i > 0 ? i - 1 : 0]);
+            const Vec across = {along.z, 0, -along.x};
+            Ring& ring = rings.emplace_back();
+            for (const Vec& p : rounded_rectangle({}, 0.009, 0.024, 0.005, std::min(s.detail(), 4))) {
+                ring.push_back(path[i] + p.x * across + Vec{0, p.y, 0});
+            }
+        }
+        s.skin(rings, wood);
+    }
+}
+
 void bench(Shaper& s, const Size& size, const Paint& wood) {
     const double x = size.width / 2, y = size.depth / 2;
     for (int k = 0; k < 3; ++k) {
@@ -110,7 +130,9 @@ void add_chairs(Pieces& pieces) {
         "Dining chair, walnut", "chair", "Seats", [](Shaper& s, const Size&) { dining_chair(s, walnut, petrol, 2); }));
     pieces.push_back(piece<"own/chair-shell", Size{0.45, 0.53, 0.83}>(
         "Shell chair", "chair", "Seats", [](Shaper& s, const Size&) { shell_chair(s, sage_lacquer, beech); }));
-    pieces.push_back(piece<"own/stool", Size{0.35, 0.35, 0.655}>(
+    pieces.push_back(piece<"own/stool", Size{0.35, 0.35, 0.45}>("Stool", "stool", "Seats",
+                                                                [](Shaper& s, const Size&) { low_stool(s, birch); }));
+    pieces.push_back(piece<"own/stool-bar", Size{0.35, 0.35, 0.655}>(
         "Bar stool", "stool", "Seats", [](Shaper& s, const Size&) { bar_stool(s, oak, iron); }));
     pieces.push_back(piece<"own/bench", Size{1.4, 0.36, 0.45}>(
         "Bench", "bench", "Seats", [](Shaper& s, const Size& size) { bench(s, size, oak); }));

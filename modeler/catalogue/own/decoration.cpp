@@ -178,20 +178,22 @@ void flowers(Shaper& s) {
                            reach * out + Vec{0, 0, rise}};
         tube(s, curve(way, s.fine(3)), 0.0018, stem, 5);
         const Paint& petal = k % 3 == 0 ? rose : k % 3 == 1 ? cotton : mustard;
-        const auto scope = s.inside(move(reach * out.x, reach * out.y, rise) * turn_z(137.5 * k) * turn_y(25));
-        ball(s, {0, 0, 0.002}, {0.008, 0.008, 0.006}, mustard, 10);
-        for (int i = 0; i < 8; ++i) {
-            const double angle = 2 * pi * i / 8, size = random.uniform(0.85, 1.1);
-            const Vec aim{std::cos(angle), std::sin(angle), 0.35};
-            std::vector<Vec> rib;
-            std::vector<double> widths;
-            const int steps = s.fine(3);
-            for (int j = 0; j <= steps; ++j) {
-                const double t = static_cast<double>(j) / steps;
-                rib.push_back(0.005 * aim + (0.03 * size * t) * aim - Vec{0, 0, 0.008 * t * t});
-                widths.push_back(j == 0 ? 0.002 : j == steps ? 0.0 : 0.011 * std::sin(pi * std::pow(t, 0.7)));
+        {
+            const auto scope = s.inside(move(reach * out.x, reach * out.y, rise) * turn_z(137.5 * k) * turn_y(25));
+            ball(s, {0, 0, 0.002}, {0.008, 0.008, 0.006}, mustard, 10);
+            for (int i = 0; i < 8; ++i) {
+                const double angle = 2 * pi * i / 8, size = random.uniform(0.85, 1.1);
+                const Vec aim{std::cos(angle), std::sin(angle), 0.35};
+                std::vector<Vec> rib;
+                std::vector<double> widths;
+                const int steps = s.fine(3);
+                for (int j = 0; j <= steps; ++j) {
+                    const double t = static_cast<double>(j) / steps;
+                    rib.push_back(0.005 * aim + (0.03 * size * t) * aim - Vec{0, 0, 0.008 * t * t});
+                    widths.push_back(j == 0 ? 0.002 : j == steps ? 0.0 : 0.011 * std::sin(pi * std::pow(t, 0.7)));
+                }
+                leaf(s, rib, widths, {0, 0, 1}, 0.2, 0.002, petal);
             }
-            leaf(s, rib, widths, {0, 0, 1}, 0.2, 0.002, petal);
         }
         for (int i = 0; i < 2; ++i) {
             const double angle = turn + 1.3 + 2.2 * i;
@@ -204,7 +206,7 @@ void flowers(Shaper& s) {
 }
 
 void book_pile(Shaper& s) {
-    plans::Random random({0xB111u});
+    plans::Random random({0xB112u});
     book_stack(s, 4, {0.2, 0.16, 0.032}, random);
 }
 
@@ -296,7 +298,7 @@ void add_decoration(Pieces& pieces) {
         "Rug", "rug", "Decoration", [](Shaper& s, const Size& size) { rug(s, size, linen, terracotta_cloth, navy); }));
     pieces.push_back(piece<"own/rug-grey", Size{1.7, 1.2, 0.014}>(
         "Rug, grey", "rug", "Decoration", [](Shaper& s, const Size& size) { rug(s, size, wool, cotton, sage); }));
-    pieces.push_back(piece<"own/rug-round", Size{1.6, 1.6, 0.016}>(
+    pieces.push_back(piece<"own/rug-round", Size{1.6, 1.6, 0.015}>(
         "Round rug", "rug", "Decoration", [](Shaper& s, const Size& size) { round_rug(s, size, wicker, petrol); }));
     pieces.push_back(piece<"own/picture", Size{0.8, 0.03, 0.6}>("Landscape", "picture", "Decoration",
                                                                 [](Shaper& s, const Size& size) { landscape(s, size); },
@@ -304,17 +306,17 @@ void add_decoration(Pieces& pieces) {
     pieces.push_back(piece<"own/picture-abstract", Size{0.5, 0.03, 0.7}>(
         "Abstract picture", "picture", "Decoration", [](Shaper& s, const Size& size) { abstract_picture(s, size); },
         {.elevation = 1.4}));
-    pieces.push_back(piece<"own/curtain", Size{1.8, 0.12, 2.3}>(
+    pieces.push_back(piece<"own/curtain", Size{1.8, 0.115, 2.3}>(
         "Curtains", "curtain", "Decoration", [](Shaper& s, const Size& size) { curtain(s, size, linen); },
         {.elevation = 0.02}));
-    pieces.push_back(piece<"own/curtain-blue", Size{1.4, 0.12, 2.3}>(
+    pieces.push_back(piece<"own/curtain-blue", Size{1.4, 0.115, 2.3}>(
         "Curtains, blue", "curtain", "Decoration", [](Shaper& s, const Size& size) { curtain(s, size, petrol); },
         {.elevation = 0.02}));
     pieces.push_back(piece<"own/vase", Size{0.17, 0.17, 0.28}>("Vase", "vase", "Decoration",
                                                                [](Shaper& s, const Size&) { vase(s); }));
-    pieces.push_back(piece<"own/vase-flowers", Size{0.34, 0.34, 0.58}>("Vase with flowers", "vase", "Decoration",
-                                                                       [](Shaper& s, const Size&) { flowers(s); }));
-    pieces.push_back(piece<"own/book-pile", Size{0.22, 0.18, 0.11}>("Pile of books", "book_pile", "Decoration",
+    pieces.push_back(piece<"own/vase-flowers", Size{0.315, 0.305, 0.58}>("Vase with flowers", "vase", "Decoration",
+                                                                         [](Shaper& s, const Size&) { flowers(s); }));
+    pieces.push_back(piece<"own/book-pile", Size{0.2, 0.16, 0.104}>("Pile of books", "book_pile", "Decoration",
                                                                     [](Shaper& s, const Size&) { book_pile(s); }));
     pieces.push_back(
         piece<"own/cup", Size{0.15, 0.15, 0.07}>("Cup", "cup", "Decoration", [](Shaper& s, const Size&) { cup(s); }));

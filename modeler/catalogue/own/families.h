@@ -8,6 +8,7 @@ namespace enfilade::modeler::own {
 void add_chairs(Pieces& pieces);
 void add_sofas(Pieces& pieces);
 void add_tables(Pieces& pieces);
+void add_leisure(Pieces& pieces);
 void add_electronics(Pieces& pieces);
 void add_decoration(Pieces& pieces);
 void add_lamps(Pieces& pieces);

@@ -303,7 +303,7 @@ void add_storage(Pieces& pieces) {
     pieces.push_back(piece<"own/shelf", Size{1.12, 0.39, 1.12}>(
         "Shelf of cubes", "shelf", "Storage", [](Shaper& s, const Size& size) { cube_shelf(s, size, white, 3, 3); },
         {.top = 1.12}));
-    pieces.push_back(piece<"own/shelf-wall", Size{0.9, 0.22, 0.32}>(
+    pieces.push_back(piece<"own/shelf-wall", Size{0.9, 0.22, 0.3}>(
         "Wall shelf", "shelf", "Storage", [](Shaper& s, const Size& size) { wall_shelf(s, size); },
         {.elevation = 1.3}));
     pieces.push_back(piece<"own/coat-rack", Size{0.48, 0.48, 1.78}>(
