@@ -136,7 +136,7 @@ void padded_bed(Shaper& s, const Size& size, const Paint& cloth, const Bedding& 
         }
     }
     block(s, {-x, y - 0.05, 0.1}, {x, y, h - 0.02}, cloth, 0.02);
-    const int channels = static_cast<int>(std::lround(size.width / 0.15));
+    const int channels = static_cast<int>(std::lround(size.width / 0.19));
     for (int k = 0; k < channels; ++k) {
         const double middle = -x + (k + 0.5) * 2 * x / channels;
         const auto scope = s.inside(move(middle, y - 0.055, (h + 0.3) / 2) * turn_x(90));

@@ -35,24 +35,26 @@ void dining_chair(Shaper& s, const Paint& wood, const Paint& cloth, int slats) {
 
 /// One moulded shell on a frame of wire.
 void shell_chair(Shaper& s, const Paint& shell, const Paint& metal) {
-    const int along = s.fine(18), across = s.fine(6);
-    const Vec line[] = {{0, -0.235, 0.432}, {0, -0.18, 0.452}, {0, 0.05, 0.437}, {0, 0.165, 0.455},
-                        {0, 0.215, 0.56},   {0, 0.24, 0.7},    {0, 0.262, 0.82}};
-    const std::vector<Vec> spine = curve(line, std::max(1, along / 6));
+    const int parts = s.fine(3), across = s.fine(12);
+    const Vec line[] = {{0, -0.235, 0.421}, {0, -0.222, 0.436}, {0, -0.18, 0.446}, {0, -0.06, 0.442},
+                        {0, 0.07, 0.435},   {0, 0.155, 0.449},  {0, 0.203, 0.51},  {0, 0.225, 0.6},
+                        {0, 0.25, 0.74},    {0, 0.259, 0.80},   {0, 0.262, 0.82}};
+    // Half widths at those places: it narrows where the seat turns into the back.
+    const Vec width[] = {{0.15, 0, 0},  {0.19, 0, 0},  {0.21, 0, 0}, {0.225, 0, 0}, {0.225, 0, 0}, {0.215, 0, 0},
+                         {0.205, 0, 0}, {0.205, 0, 0}, {0.19, 0, 0}, {0.14, 0, 0},  {0.06, 0, 0}};
+    const std::vector<Vec> spine = curve(line, parts), halves = curve(width, parts);
     std::vector<Ring> rings;
     for (std::size_t k = 0; k < spine.size(); ++k) {
-        const double t = static_cast<double>(k) / static_cast<double>(spine.size() - 1);
-        const double half = 0.225 * std::pow(std::max(0.02, 1 - std::pow(std::abs(2 * t - 1), 5.0)), 0.4) *
-                            (t > 0.5 ? 1 - 0.16 * (t - 0.5) * 2 : 1);
+        const double half = halves[k].x;
         const Vec before = spine[k > 0 ? k - 1 : 0], after = spine[std::min(k + 1, spine.size() - 1)];
         const Vec along_spine = unit(after - before), normal = {0, -along_spine.z, along_spine.y};
         Ring& ring = rings.emplace_back();
         for (int side = 0; side < 2; ++side) {
             for (int i = 0; i < across; ++i) {
                 const double u = (side == 0 ? 1 : -1) * (2.0 * i / across - 1);
-                const double lift = 0.035 * u * u * u * u + 0.012 * u * u;
+                const double lift = 0.045 * std::pow(std::abs(u), 2.6) * half / 0.225;
                 const double thick = (side == 0 ? -0.5 : 0.5) * 0.011;
-                ring.push_back(spine[k] + Vec{half * u, 0, 0} + (lift + thick * (1 - 0.3 * u * u)) * normal);
+                ring.push_back(spine[k] + Vec{half * u, 0, 0} + (lift + thick * (1 - 0.4 * u * u)) * normal);
             }
         }
     }

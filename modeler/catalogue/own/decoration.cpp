@@ -41,10 +41,10 @@ void rug(Shaper& s, const Size& size, const Paint& ground, const Paint& band, co
 
 void round_rug(Shaper& s, const Size& size, const Paint& a, const Paint& b) {
     const double r = size.width / 2;
-    const int rings = 9;
+    const int rings = 7;
     for (int k = 0; k < rings; ++k) {  // plaited rings, one around the other
         const double at = r * (k + 0.5) / rings, half = 0.5 * r / rings, h = size.height;
-        const int sides = s.fine(40), steps = s.fine(3);
+        const int sides = s.fine(36), steps = s.fine(3);
         std::vector<Ring> skin;
         for (int i = 0; i < sides; ++i) {
             const double angle = 2 * pi * i / sides;
@@ -150,7 +150,7 @@ void curtain(Shaper& s, const Size& size, const Paint& cloth) {
         s.skin(rings, cloth);
         for (int k = 0; k < 7; ++k) {
             const auto scope = s.inside(move(side * mix(from - 0.01, to + 0.01, k / 6.0), 0, bar) * turn_y(90));
-            tube(s, ellipse({}, 0.016, 0.016, s.fine(14)), 0.002, iron, 5, Ends::Looped);
+            tube(s, ellipse({}, 0.016, 0.016, s.fine(10)), 0.002, iron, 4, Ends::Looped);
         }
     }
 }
@@ -169,7 +169,7 @@ void vase(Shaper& s) {
 void flowers(Shaper& s) {
     vase(s);
     plans::Random random({0xF1u});
-    for (int k = 0; k < 11; ++k) {
+    for (int k = 0; k < 9; ++k) {
         const double turn = degrees(137.5 * k), reach = 0.04 + 0.011 * k, rise = 0.56 - 0.016 * k;
         const Vec out{std::cos(turn), std::sin(turn), 0};
         const Vec way[] = {{0, 0, 0.19},
@@ -181,8 +181,8 @@ void flowers(Shaper& s) {
         {
             const auto scope = s.inside(move(reach * out.x, reach * out.y, rise) * turn_z(137.5 * k) * turn_y(25));
             ball(s, {0, 0, 0.002}, {0.008, 0.008, 0.006}, mustard, 10);
-            for (int i = 0; i < 8; ++i) {
-                const double angle = 2 * pi * i / 8, size = random.uniform(0.85, 1.1);
+            for (int i = 0; i < 7; ++i) {
+                const double angle = 2 * pi * i / 7, size = random.uniform(0.85, 1.1);
                 const Vec aim{std::cos(angle), std::sin(angle), 0.35};
                 std::vector<Vec> rib;
                 std::vector<double> widths;
@@ -314,7 +314,7 @@ void add_decoration(Pieces& pieces) {
         {.elevation = 0.02}));
     pieces.push_back(piece<"own/vase", Size{0.17, 0.17, 0.28}>("Vase", "vase", "Decoration",
                                                                [](Shaper& s, const Size&) { vase(s); }));
-    pieces.push_back(piece<"own/vase-flowers", Size{0.315, 0.305, 0.58}>("Vase with flowers", "vase", "Decoration",
+    pieces.push_back(piece<"own/vase-flowers", Size{0.271, 0.27, 0.578}>("Vase with flowers", "vase", "Decoration",
                                                                          [](Shaper& s, const Size&) { flowers(s); }));
     pieces.push_back(piece<"own/book-pile", Size{0.2, 0.16, 0.104}>("Pile of books", "book_pile", "Decoration",
                                                                     [](Shaper& s, const Size&) { book_pile(s); }));

@@ -147,7 +147,7 @@ void server_rack(Shaper& s, const Size& size) {
             block(s, {-x + 0.055, face, z}, {x - 0.055, y - 0.12, z + high - 0.003}, units == 2 ? grey : black, 0.001);
             for (const double side : both)
                 bar_handle(s, {side * (x - 0.075), face, z + high / 2}, 0.8 * high, true, steel);
-            const int slots = units == 1 ? 10 : 12;
+            const int slots = s.detail() == 1 ? 6 : 12;
             for (int k = 0; k < slots; ++k) {  // bays and lights
                 const double at = mix(-x + 0.1, x - 0.13, static_cast<double>(k) / (slots - 1));
                 block(s, {at - 0.01, face - 0.003, z + 0.008}, {at + 0.012, face + 0.001, z + high - 0.012}, charcoal,
@@ -192,11 +192,11 @@ void vending_machine(Shaper& s, const Size& size) {
                 if (row < 2) {  // cans
                     const Vec can[] = {{0, 0, 0},        {0.024, 0, 0},     {0.03, 0, 0.006},
                                        {0.03, 0, 0.104}, {0.025, 0, 0.115}, {0, 0, 0.113}};
-                    lathe(s, can, paint, 12);
+                    lathe(s, can, paint, 9);
                 } else if (row < 4) {  // bottles
                     const Vec bottle[] = {{0, 0, 0},         {0.028, 0, 0},    {0.03, 0, 0.01}, {0.029, 0, 0.11},
                                           {0.012, 0, 0.155}, {0.012, 0, 0.18}, {0, 0, 0.18}};
-                    lathe(s, bottle, paint, 12);
+                    lathe(s, bottle, paint, 9);
                 } else {
                     pillow_bag(s, paint);
                 }

@@ -87,7 +87,7 @@ void stove(Shaper& s, const Size& size) {
     for (const auto& [rx, ry, r] : rings) {
         const auto scope = s.inside(move(rx, ry, top - 0.003));
         drum(s, {}, r, 0.002, charcoal, 0.0008, 28);
-        tube(s, ellipse({0, 0, 0.002}, r, r, s.fine(28)), 0.0016, light_grey, 4, Ends::Looped);
+        tube(s, ellipse({0, 0, 0.002}, r, r, s.fine(28)), 0.0016, light_grey, 3, Ends::Looped);
         tube(s, ellipse({0, 0, 0.002}, 0.6 * r, 0.6 * r, s.fine(22)), 0.0012, light_grey, 4, Ends::Looped);
     }
     // Oven door: a frame, a dark window, a bar.

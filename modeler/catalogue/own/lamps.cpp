@@ -69,9 +69,9 @@ void table_lamp(Shaper& s, const Size& size, const Paint& body) {
     const double h = size.height;
     const Vec profile[] = {{0.075, 0, 0.0},  {0.08, 0, 0.012}, {0.05, 0, 0.03},  {0.075, 0, 0.1},
                            {0.085, 0, 0.15}, {0.06, 0, 0.21},  {0.025, 0, 0.25}, {0.018, 0, 0.28}};
-    std::vector<Vec> line = curve(profile, s.fine(3));
+    std::vector<Vec> line = curve(profile, s.fine(2));
     line.insert(line.begin(), Vec{0, 0, 0}), line.push_back({0, 0, 0.28});
-    lathe(s, line, body, 32);
+    lathe(s, line, body, 28);
     rod(s, {0, 0, 0.27}, {0, 0, h - 0.02}, 0.006, 0.006, brass, 10);
     cloth_shade(s, 0.155, 0.11, h - 0.21, h, shade_cloth, linen);
     bulb(s, {0, 0, h - 0.1}, 0.028);

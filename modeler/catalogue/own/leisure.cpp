@@ -75,7 +75,7 @@ void piano(Shaper& s, const Size& size) {
 /// Rim, tyre, spokes, hub; about the y axis.
 void wheel(Shaper& s, Vec hub, double radius) {
     const auto scope = s.inside(move(hub.x, hub.y, hub.z) * turn_x(90));
-    const int sides = s.fine(40);
+    const int sides = s.fine(36);
     tube(s, ellipse({}, radius - 0.018, radius - 0.018, sides), 0.018, rubber, 8, Ends::Looped);
     tube(s, ellipse({}, radius - 0.04, radius - 0.04, sides), 0.009, steel, 6, Ends::Looped);
     rod(s, {0, 0, -0.05}, {0, 0, 0.05}, 0.012, 0.012, steel, 10);
@@ -85,7 +85,7 @@ void wheel(Shaper& s, Vec hub, double radius) {
             const double angle = 2 * pi * (k + (side > 0 ? 0.5 : 0)) / 14, lead = angle + (k % 2 == 0 ? 0.55 : -0.55);
             rod(s, {0.022 * std::cos(lead), 0.022 * std::sin(lead), side * 0.033},
                 {(radius - 0.042) * std::cos(angle), (radius - 0.042) * std::sin(angle), side * 0.003}, 0.0011, 0.0011,
-                chrome, 4);
+                chrome, 3);
         }
     }
 }

@@ -101,9 +101,10 @@ void office_chair(Shaper& s, const Paint& cloth, const Paint& frame, bool has_he
     const int rows = s.fine(10), columns = s.fine(10);
     std::vector<Ring> rings;
     for (int k = 0; k <= rows; ++k) {
-        const double v = static_cast<double>(k) / rows, z = mix(0.54, 1.04, v);
+        // Closer together where its ends turn round.
+        const double turn = -std::cos(pi * k / rows), v = 0.5 + 0.5 * turn, z = mix(0.54, 1.04, v);
         const double half =
-            0.225 * std::pow(std::max(0.0, 1 - std::pow(std::abs(2 * v - 1), 4.0)), 0.3) * (1 - 0.12 * v) + 0.02;
+            0.235 * std::pow(std::max(0.0, 1 - turn * turn * turn * turn), 0.32) * (1 - 0.12 * v) + 0.01;
         const double y = 0.245 + 0.02 * std::cos(4 * (v - 0.35)) + 0.05 * v * v;
         Ring& ring = rings.emplace_back();
         for (int i = 0; i <= 2 * columns + 1; ++i) {
@@ -111,7 +112,7 @@ void office_chair(Shaper& s, const Paint& cloth, const Paint& frame, bool has_he
             const double u = 2.0 * (is_back ? 2 * columns + 1 - i : i) / columns - 1;
             const double full =
                 0.026 * std::pow(std::max(0.0, 1 - u * u * u * u), 0.4) * (k == 0 || k == rows ? 0.5 : 1) + 0.005;
-            ring.push_back({half * u, y - 0.05 * u * u + (is_back ? full : -full), z});
+            ring.push_back({half * u, y - 0.05 * (half * u) * (half * u) / 0.06 + (is_back ? full : -full), z});
         }
     }
     s.skin(rings, cloth);

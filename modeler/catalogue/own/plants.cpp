@@ -138,8 +138,8 @@ void snake_plant(Shaper& s) {
 void palm(Shaper& s) {
     pot(s, 0.14, 0.185, 0.33, terracotta);
     plans::Random random({0x14u});
-    for (int k = 0; k < 13; ++k) {
-        const double share = k / 12.0, turn = 137.5 * k, reach = mix(0.52, 0.16, share), rise = mix(1.05, 1.6, share);
+    for (int k = 0; k < 11; ++k) {
+        const double share = k / 10.0, turn = 137.5 * k, reach = mix(0.52, 0.16, share), rise = mix(1.05, 1.6, share);
         const Vec out = direction(turn, 0), foot = 0.03 * out + Vec{0, 0, 0.28};
         const Vec way[] = {foot, 0.35 * reach * out + Vec{0, 0, 0.25 + 0.72 * rise * 0.8},
                            reach * out + Vec{0, 0, rise}, 1.3 * reach * out + Vec{0, 0, rise - 0.12 * (1 - share)}};
@@ -202,7 +202,7 @@ void ivy(Shaper& s) {
                 path[static_cast<std::size_t>((0.15 + 0.85 * k / 8.0) * static_cast<double>(path.size() - 1))];
             grow_leaf(
                 s, base, direction(turn + (k % 2 == 0 ? 55 : -55) + random.uniform(-20, 20), random.uniform(5, 45)),
-                {random.uniform(0.035, 0.05), 0.016, 0.4, 0.35, 0.3, 5}, random.chance(0.4) ? pale_leaf : leaf_green);
+                {random.uniform(0.035, 0.05), 0.016, 0.4, 0.35, 0.3, 3}, random.chance(0.4) ? pale_leaf : leaf_green);
         }
     }
 }
@@ -214,8 +214,8 @@ void add_plants(Pieces& pieces) {
                                                                 [](Shaper& s, const Size&) { broad_plant(s); }));
     pieces.push_back(piece<"own/plant-fig", Size{0.67, 0.76, 1.58}>("Fig tree", "plant", "Plants",
                                                                     [](Shaper& s, const Size&) { fig_tree(s); }));
-    pieces.push_back(piece<"own/plant-palm", Size{1.36, 1.26, 1.69}>("Palm", "plant", "Plants",
-                                                                     [](Shaper& s, const Size&) { palm(s); }));
+    pieces.push_back(piece<"own/plant-palm", Size{1.36, 1.235, 1.69}>("Palm", "plant", "Plants",
+                                                                      [](Shaper& s, const Size&) { palm(s); }));
     pieces.push_back(piece<"own/plant-snake", Size{0.35, 0.36, 0.78}>("Snake plant", "plant", "Plants",
                                                                       [](Shaper& s, const Size&) { snake_plant(s); }));
     pieces.push_back(piece<"own/small-plant", Size{0.28, 0.3, 0.235}>("Ivy", "small_plant", "Plants",
