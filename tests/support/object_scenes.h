@@ -28,6 +28,22 @@ namespace enfilade::test {
 /// One closed room of 8 x 8 x 4 m about (0, 0, 2) in which each of the meshes stands once, at the origin and as it is.
 [[nodiscard]] accel::Scene room_of_meshes(const std::vector<accel::InputMesh>& meshes);
 
+/// Where `place` puts the meshes of a furnished scene.
+struct FurnishedOptions {
+    std::uint64_t seed = 1;
+    int objects = 60;
+    double turn = 0;        ///< of the building, radians
+    double mesh_scale = 1;  ///< meshes are made that much larger, placements that much smaller
+    bool stretched = true;  ///< else placements keep angles
+};
+
+/// The synthetic office with objects of half a metre to two at random places and turns, some mirrored, some across
+/// walls and each other; each cell lists those whose boxes share a place with it.
+[[nodiscard]] accel::Scene furnished_office(const FurnishedOptions& options);
+
+/// Lists the objects of a scene input by boxes.
+void list_objects(accel::SceneInput& input);
+
 struct BruteHit {
     double t;  ///< in units of the direction
     std::uint32_t triangle;
