@@ -5,6 +5,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -36,6 +37,31 @@ constexpr Vec3f ink = {0.05f, 0.05f, 0.06f};
 
 Vec3f times(Vec3f a, Vec3f b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
+/// Numbers in [0, 1) for one sample of a pixel: the first few of all samples of a pixel are spread evenly (additive
+/// recurrence of the generalised golden ratio, moved by a random offset), the others are random.
+class Sample {
+public:
+    static constexpr int even_count = 6;
+    using Offsets = std::array<double, even_count>;
+    Sample(const Offsets& offsets, int number, plans::Random& random)
+        : offsets_(offsets), number_(number), random_(random) {}
+
+    double next() {
+        if (used_ == even_count) return random_.uniform();
+        constexpr double step[even_count] = {0.8986537126286992, 0.8075784952213448, 0.7257334129697598,
+                                             0.6521830259439717, 0.5860866975779695, 0.5266889867007297};
+        const double value = offsets_[used_] + number_ * step[used_];
+        ++used_;
+        return value - std::floor(value);
+    }
+
+private:
+    const Offsets& offsets_;
+    int number_;
+    int used_ = 0;
+    plans::Random& random_;
+};
+
 /// The mesh and a large ground under it, in Embree's scene.
 class Stage {
 public:
@@ -51,7 +77,7 @@ public:
     Stage& operator=(const Stage&) = delete;
 
     /// What comes along a ray from the sky, the sun, and by way of `bounces` diffuse surfaces.
-    [[nodiscard]] Vec3f light(Vec3f origin, Vec3f direction, int bounces, plans::Random& random) const {
+    [[nodiscard]] Vec3f light(Vec3f origin, Vec3f direction, int bounces, Sample& random) const {
         RTCRayHit ray = ray_of(origin, direction);
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
@@ -61,8 +87,8 @@ public:
         if (render::dot(normal, direction) > 0) normal = -normal;
         const Vec3f place = origin + ray.ray.tfar * direction + 1e-4f * normal;
         const Vec3f colour = ray.hit.geomID == 1 ? ground_colour : colour_of(ray.hit.primID);
-        const auto jitter = [&] { return static_cast<float>(random.uniform(-0.06, 0.06)); };
-        const Vec3f towards = render::normalized(Vec3f{-0.42f + jitter(), -0.55f + jitter(), 0.95f + jitter()});
+        const auto jitter = [&] { return static_cast<float>(0.12 * random.next() - 0.06); };
+        const Vec3f towards = render::normalized(Vec3f{-0.42f + jitter(), -0.55f + jitter(), 0.95f});
         Vec3f sum = {0, 0, 0};
         if (const float facing = render::dot(normal, towards); facing > 0 && is_free(place, towards)) {
             sum = facing * sun;
@@ -107,8 +133,8 @@ private:
         const auto& c = mesh_.materials[mesh_.triangle_materials[triangle]].colour;
         return {c[0], c[1], c[2]};
     }
-    static Vec3f cosine_direction(Vec3f normal, plans::Random& random) {
-        const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * 3.141592653589793);
+    static Vec3f cosine_direction(Vec3f normal, Sample& random) {
+        const double z = 2 * random.next() - 1, angle = 2 * 3.141592653589793 * random.next();
         const double r = std::sqrt(1 - z * z);
         const Vec3f on_ball{static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)),
                             static_cast<float>(z)};
@@ -158,11 +184,14 @@ void draw_piece(render::Image& sheet, int left, int top, const OwnPiece& piece, 
             plans::Random random({20260u, static_cast<std::uint64_t>(y)});
             for (int x = 0; x < options.tile; ++x) {
                 Vec3f sum{0, 0, 0};
+                Sample::Offsets offsets;
+                for (double& offset : offsets) offset = random.uniform();
                 for (int k = 0; k < options.samples; ++k) {
-                    const auto u = static_cast<float>((x + random.uniform()) / options.tile * 2 - 1);
-                    const auto v = static_cast<float>(1 - (y + random.uniform()) / options.tile * 2);
+                    Sample sample(offsets, k, random);
+                    const auto u = static_cast<float>((x + sample.next()) / options.tile * 2 - 1);
+                    const auto v = static_cast<float>(1 - (y + sample.next()) / options.tile * 2);
                     const Vec3f direction = render::normalized(slope * u * right + slope * v * up - back);
-                    sum = sum + stage.light(eye, direction, 1, random);
+                    sum = sum + stage.light(eye, direction, 1, sample);
                 }
                 const Vec3f colour = (0.56f / static_cast<float>(options.samples)) * sum;
                 const std::size_t at = 3 * (static_cast<std::size_t>(top + y) * sheet.width + left + x);

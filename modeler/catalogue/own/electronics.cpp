@@ -174,6 +174,7 @@ void vending_machine(Shaper& s, const Size& size) {
     block(s, {-x, face, h - 0.16}, {x, y, h}, deep_blue, 0.012);
     block(s, {-x, face, 0.5}, {-x + 0.05, y, h - 0.16}, deep_blue, 0.002);
     block(s, {right, face, 0.5}, {x, y, h - 0.16}, deep_blue, 0.002);
+    block(s, {-x + 0.05, y - 0.05, 0.5}, {right, y, h - 0.16}, deep_blue, 0.002);
     block(s, {-x + 0.05, y - 0.12, 0.5}, {right, y - 0.05, h - 0.16}, off_white, 0);
     block(s, {-x + 0.02, face + 0.03, 0}, {x - 0.02, y - 0.03, 0.061}, black, 0);
     block(s, {-x + 0.03, face - 0.006, 0.5 - 0.02}, {right + 0.02, face + 0.004, 0.51}, steel, 0.002);

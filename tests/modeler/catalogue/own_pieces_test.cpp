@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "base/disjoint_sets.h"
@@ -129,6 +132,147 @@ TEST(OwnPieces, AreClosedAndTurnedOutward) {
         }
         EXPECT_EQ(std::ranges::count_if(volumes, [](const auto& shell) { return !(shell.second > 0); }), 0);
     });
+}
+
+TEST(OwnPieces, GetFinerWithDetailWithinWhatIsPromised) {
+    std::array<std::size_t, 3> all{};
+    for (const OwnPiece& piece : own_pieces()) {
+        std::array<std::size_t, 3> counts{};
+        for (std::uint32_t detail = 1; detail <= 3; ++detail) {
+            counts[detail - 1] = piece.make(detail).triangles.size();
+            all[detail - 1] += counts[detail - 1];
+        }
+        EXPECT_LT(counts[0], counts[1]) << piece.entry.id;
+        EXPECT_LT(counts[1], counts[2]) << piece.entry.id;
+        EXPECT_TRUE(counts[0] >= 100 && counts[0] <= 9000) << piece.entry.id << ": " << counts[0];
+        EXPECT_LE(counts[2], 90000u) << piece.entry.id;
+    }
+    EXPECT_LE(all[0], 250000u);
+    EXPECT_GE(all[2], 500000u);  // what benchmarks of unique triangles need
+}
+
+TEST(OwnPieces, TakeDetailsBeyondTheirRangeAsTheNearest) {
+    const OwnPiece& piece = own_pieces().front();
+    EXPECT_EQ(piece.make(0), piece.make(1));
+    EXPECT_EQ(piece.make(1000), piece.make(8));
+}
+
+TEST(OwnPieces, CarryThingsWithinTheirBoxAndHangBelowCeilings) {
+    for (const OwnPiece& piece : own_pieces()) {
+        const CatalogueEntry& e = piece.entry;
+        EXPECT_TRUE(!e.top || (*e.top > 0 && *e.top <= e.height + 1e-9)) << e.id;
+        EXPECT_GE(e.elevation, 0) << e.id;
+        EXPECT_LE(e.elevation + e.height, 2.35) << e.id;
+    }
+}
+
+/// A surface to stand on is where the entry says: the middle of most pieces has something at the height of `top`.
+TEST(OwnPieces, HaveASurfaceAtTheirTop) {
+    for_each_mesh([](const OwnPiece& piece, const ObjectMesh& mesh, std::uint32_t) {
+        if (!piece.entry.top) return;
+        double area = 0;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Point pa = corner(mesh, a), pb = corner(mesh, b), pc = corner(mesh, c);
+            const bool is_there = std::max({std::abs(pa[2] - *piece.entry.top), std::abs(pb[2] - *piece.entry.top),
+                                            std::abs(pc[2] - *piece.entry.top)}) < 0.004;
+            if (is_there) area += std::max(0.0, cross(minus(pb, pa), minus(pc, pa))[2] / 2);
+        }
+        EXPECT_GT(area, 0.35 * piece.entry.width * piece.entry.depth);
+    });
+}
+
+TEST(OwnPieces, AreOfKindsWhoseFrontIsDocumented) {
+    std::ifstream file(ENFILADE_SOURCE_DIR "/docs/furniture.md");
+    ASSERT_TRUE(file);
+    std::string line;
+    std::set<std::string> kinds, ids;
+    while (std::getline(file, line)) {
+        std::istringstream words(line);
+        for (std::string word; words >> word;) {
+            if (word.starts_with("own/")) ids.insert(word);
+            while (!word.empty() && (word.back() == ',' || word.back() == '*')) word.pop_back();
+            if (line.starts_with("|") && line.find("own/") == std::string::npos) kinds.insert(word);
+        }
+    }
+    for (const OwnPiece& piece : own_pieces()) {
+        EXPECT_TRUE(kinds.contains(piece.entry.kind)) << piece.entry.id << " is a " << piece.entry.kind;
+        EXPECT_TRUE(ids.contains(piece.entry.id)) << piece.entry.id << " is not in the table: tools/pieces.sh";
+    }
+}
+
+/// Every kind that rules may ask for has a piece: the default needs no files.
+TEST(OwnPieces, CoverEveryKind) {
+    const char* const kinds[] = {"bed",
+                                 "double_bed",
+                                 "bunk_bed",
+                                 "cot",
+                                 "bedside_table",
+                                 "wardrobe",
+                                 "chest_of_drawers",
+                                 "dressing_table",
+                                 "sofa",
+                                 "armchair",
+                                 "coffee_table",
+                                 "tv_stand",
+                                 "tv",
+                                 "bookshelf",
+                                 "shelf",
+                                 "dining_table",
+                                 "round_table",
+                                 "chair",
+                                 "stool",
+                                 "bench",
+                                 "sideboard",
+                                 "desk",
+                                 "office_chair",
+                                 "computer",
+                                 "desk_lamp",
+                                 "floor_lamp",
+                                 "table_lamp",
+                                 "ceiling_lamp",
+                                 "wall_lamp",
+                                 "filing_cabinet",
+                                 "meeting_table",
+                                 "whiteboard",
+                                 "printer",
+                                 "kitchen_unit",
+                                 "kitchen_sink",
+                                 "stove",
+                                 "fridge",
+                                 "dishwasher",
+                                 "wall_cabinet",
+                                 "toilet",
+                                 "wash_basin",
+                                 "bathtub",
+                                 "shower",
+                                 "washing_machine",
+                                 "mirror",
+                                 "towel_rail",
+                                 "plant",
+                                 "small_plant",
+                                 "rug",
+                                 "picture",
+                                 "curtain",
+                                 "radiator",
+                                 "coat_rack",
+                                 "umbrella_stand",
+                                 "shoe_cabinet",
+                                 "bin",
+                                 "box",
+                                 "bicycle",
+                                 "piano",
+                                 "fireplace",
+                                 "vase",
+                                 "book_pile",
+                                 "cup",
+                                 "server_rack",
+                                 "reception_desk",
+                                 "vending_machine",
+                                 "locker"};
+    std::set<std::string> made;
+    for (const OwnPiece& piece : own_pieces()) made.insert(piece.entry.kind);
+    for (const char* const kind : kinds) EXPECT_TRUE(made.contains(kind)) << kind;
+    EXPECT_EQ(made.size(), std::size(kinds));
 }
 
 TEST(OwnPieces, AreTheSameEveryTime) {
