@@ -174,8 +174,8 @@ void bicycle(Shaper& s) {
 }  // namespace
 
 void add_leisure(Pieces& pieces) {
-    pieces.push_back(piece<"own/piano", Size{1.5, 0.62, 1.2}>(
-        "Piano", "piano", "Leisure", [](Shaper& s, const Size& size) { piano(s, size); }, {.top = 1.2}));
+    pieces.push_back(piece<"own/piano", Size{1.5, 0.62, 1.2}>("Piano", "piano", "Leisure",
+                                                              [](Shaper& s, const Size& size) { piano(s, size); }));
     pieces.push_back(piece<"own/bicycle", Size{1.74, 0.59, 1.034}>("Bicycle", "bicycle", "Leisure",
                                                                    [](Shaper& s, const Size&) { bicycle(s); }));
 }

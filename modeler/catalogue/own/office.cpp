@@ -41,9 +41,9 @@ void frame_desk(Shaper& s, const Size& size, const Paint& top, const Paint& fram
     if (chest != nullptr) pedestal(s, x - 0.52, x - 0.09, -y + 0.04, y - 0.08, 0.6, *chest, steel);
 }
 
-/// Turned legs, a drawer under the top, a small rack above its back.
+/// Turned legs, two drawers under a top with a low ledge at its back.
 void writing_desk(Shaper& s, const Size& size) {
-    const double x = size.width / 2, y = size.depth / 2, h = 0.75;
+    const double x = size.width / 2, y = size.depth / 2, h = size.height;
     block(s, {-x, -y, h - 0.024}, {x, y, h}, walnut, 0.006);
     block(s, {-x + 0.05, -y + 0.05, h - 0.13}, {x - 0.05, y - 0.02, h - 0.024}, walnut, 0.003);
     for (const double side : both) {
@@ -51,19 +51,12 @@ void writing_desk(Shaper& s, const Size& size) {
             rod(s, {side * (x - 0.05), f * (y - 0.045), 0}, {side * (x - 0.085), f * (y - 0.08), h - 0.1}, 0.012, 0.022,
                 walnut, 14);
         }
+        rod(s, {side * (x - 0.06), -y + 0.055, 0.2}, {side * (x - 0.06), y - 0.055, 0.2}, 0.008, 0.008, walnut, 10);
         const double x0 = side > 0 ? 0.003 : -x + 0.055, x1 = side > 0 ? x - 0.055 : -0.003;
         front(s, {x0, -y + 0.05, h - 0.126}, {x1, -y + 0.05, h - 0.028}, walnut);
-        knob(s, {(x0 + x1) / 2, -y + 0.032, h - 0.077}, 0.011, brass);
-        block(s, {side > 0 ? x - 0.02 : -x, y - 0.22, h}, {side > 0 ? x : -x + 0.02, y, size.height}, walnut, 0.004);
+        for (const double at : {0.25, 0.75}) knob(s, {mix(x0, x1, at), -y + 0.032, h - 0.077}, 0.011, brass);
     }
-    block(s, {-x, y - 0.22, size.height - 0.018}, {x, y, size.height}, walnut, 0.004);
-    for (const double at : {-0.3, 0.3})
-        block(s, {at * x - 0.006, y - 0.2, h}, {at * x + 0.006, y - 0.01, size.height - 0.018}, walnut, 0);
-    block(s, {-x + 0.01, y - 0.012, h}, {x - 0.01, y - 0.004, size.height - 0.01}, walnut, 0);
-    for (const double side : both) {
-        block(s, {side * 0.65 * x - 0.13, y - 0.19, h + 0.001}, {side * 0.65 * x + 0.1, y - 0.02, h + 0.03},
-              side > 0 ? book_covers[1] : paper, 0.002);
-    }
+    rod(s, {-x + 0.06, 0, 0.2}, {x - 0.06, 0, 0.2}, 0.008, 0.008, walnut, 10);
 }
 
 void castor(Shaper& s, Vec top) {
@@ -286,7 +279,7 @@ void add_office(Pieces& pieces) {
     pieces.push_back(piece<"own/desk-white", Size{1.6, 0.8, 0.73}>(
         "Desk, white", "desk", "Office",
         [](Shaper& s, const Size& size) { frame_desk(s, size, white, light_grey, nullptr); }, {.top = 0.73}));
-    pieces.push_back(piece<"own/desk-walnut", Size{1.2, 0.62, 0.93}>(
+    pieces.push_back(piece<"own/desk-walnut", Size{1.2, 0.62, 0.75}>(
         "Writing desk", "desk", "Office", [](Shaper& s, const Size& size) { writing_desk(s, size); }, {.top = 0.75}));
     pieces.push_back(piece<"own/office-chair", Size{0.67, 0.59, 1.04}>(
         "Office chair", "office_chair", "Office",
