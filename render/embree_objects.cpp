@@ -47,10 +47,11 @@ void nearest(const void* state, accel::MeshId mesh, ObjectRay& ray) {
     rtcIntersect1(scene, &context, reinterpret_cast<RTCRayHit*>(&ray));
 }
 
+template <RTCIntersectContextFlags flags>
 void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
     const RTCScene scene = scene_of(state, mesh);
     if (scene == nullptr) return;
-    RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    RTCIntersectContext context = context_of(flags);
     rtcIntersect16(valid, scene, &context, reinterpret_cast<RTCRayHit16*>(&rays));
 }
 
@@ -89,7 +90,10 @@ public:
     EmbreeObjects(const EmbreeObjects&) = delete;
     EmbreeObjects& operator=(const EmbreeObjects&) = delete;
 
-    [[nodiscard]] ObjectTracer tracer() const override { return {scenes_.data(), &nearest, &nearest16, &blocked}; }
+    [[nodiscard]] ObjectTracer tracer() const override {
+        return {scenes_.data(), &nearest, &nearest16<RTC_INTERSECT_CONTEXT_FLAG_COHERENT>,
+                &nearest16<RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT>, &blocked};
+    }
     [[nodiscard]] std::string_view name() const override { return "embree"; }
     [[nodiscard]] std::size_t bytes() const override {
         const auto inside = bytes_.load();

@@ -70,7 +70,9 @@ public:
         for (const PlainBvh& tree : trees_) views_.push_back(tree.view());
     }
 
-    [[nodiscard]] ObjectTracer tracer() const override { return {views_.data(), &nearest, &nearest16, &blocked}; }
+    [[nodiscard]] ObjectTracer tracer() const override {
+        return {views_.data(), &nearest, &nearest16, &nearest16, &blocked};
+    }
     [[nodiscard]] std::string_view name() const override { return "plain"; }
     [[nodiscard]] std::size_t bytes() const override {
         std::size_t sum = views_.size() * (sizeof(BvhView) + sizeof(PlainBvh));

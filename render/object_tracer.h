@@ -56,6 +56,9 @@ struct ObjectTracer {
     void (*nearest)(const void* state, accel::MeshId mesh, ObjectRay& ray) = nullptr;
     /// The same for those of sixteen rays whose `valid` is -1 (the others have 0). valid: [16], aligned to 64 bytes
     void (*nearest16)(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) = nullptr;
+    /// As nearest16, the faster for rays that are strangers to each other; nearest16 is for neighbours.
+    void (*nearest16_apart)(const void* state, accel::MeshId mesh, const std::int32_t* valid,
+                            ObjectRays& rays) = nullptr;
     /// Whether any triangle lies in [near, far].
     bool (*blocked)(const void* state, accel::MeshId mesh, const ObjectRay& ray) = nullptr;
 };

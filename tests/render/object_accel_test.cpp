@@ -101,7 +101,7 @@ TEST_P(ObjectAccelTest, AnswersSixteenAsOne) {
             rays.mask[i] = ~0u;
             rays.triangle[i] = rays.geometry[i] = rays.instance[i] = no_triangle;
         }
-        tracer.nearest16(tracer.state, mesh, valid.data(), rays);
+        (block % 3 == 0 ? tracer.nearest16 : tracer.nearest16_apart)(tracer.state, mesh, valid.data(), rays);
         for (int i = 0; i < 16; ++i) {
             if (valid[i] == 0) {
                 EXPECT_EQ(rays.triangle[i], no_triangle);
