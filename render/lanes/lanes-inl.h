@@ -11,6 +11,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<float, 16>;
 using DU = hn::RebindToUnsigned<D>;
+using DI = hn::RebindToSigned<D>;
 using V = hn::Vec<D>;
 inline constexpr int lane_count = static_cast<int>(hn::MaxLanes(D()));
 

@@ -69,11 +69,35 @@ HWY_INLINE void store_sixteen(const Floats<N>& a, int sixteen, float* HWY_RESTRI
     for (int k = 0; k < vectors; ++k) hn::Store(a.v[sixteen * vectors + k], D(), p + k * lane_count);
 }
 
+/// Sixteen rays as objects are asked, with what is the same for all objects.
+struct Asked {
+    ObjectRays rays;
+    alignas(64) std::int32_t valid[ObjectRays::count];
+
+    HWY_INLINE Asked() {
+        const auto zero = hn::Zero(DU()), ones = hn::Set(DU(), ~0u);
+        for (int k = 0; k < ObjectRays::count; k += lane_count) {
+            hn::Store(hn::Zero(D()), D(), rays.time + k);
+            hn::Store(ones, DU(), rays.mask + k);
+            hn::Store(zero, DU(), rays.id + k);
+            hn::Store(zero, DU(), rays.flags + k);
+            hn::Store(ones, DU(), rays.triangle + k);
+            hn::Store(ones, DU(), rays.geometry + k);
+            hn::Store(ones, DU(), rays.instance + k);
+        }
+    }
+    HWY_INLINE void choose_lanes(Bits some) {
+        const auto ones = hn::BitCast(D(), hn::Set(DI(), -1));
+        for (int k = 0; k < ObjectRays::count / lane_count; ++k)
+            hn::Store(hn::BitCast(DI(), hn::IfThenElseZero(mask_of(some, k), ones)), DI(), valid + k * lane_count);
+    }
+};
+
 /// Asks an object for the nearest triangles of `rays` within their stretches.
 template <int N>
 HWY_NOINLINE void meet_object(const accel::SceneView& scene, const ObjectTracer& tracer, accel::ObjectId id,
-                              const Points<N>& origin, const Points<N>& direction, Bits rays, Stretch<N>& stretch,
-                              ObjectHits<N>& hits) {
+                              const Points<N>& origin, const Points<N>& direction, Bits rays, Asked& asked,
+                              Stretch<N>& stretch, ObjectHits<N>& hits) {
     using F = Floats<N>;
     static_assert(N % ObjectRays::count == 0);
     const accel::PlacedObject& object = scene.objects[index(id)];
@@ -83,39 +107,30 @@ HWY_NOINLINE void meet_object(const accel::SceneView& scene, const ObjectTracer&
     const Points<N> d = turned_lanes(m, direction);
     rays &= pass_box(scene.meshes[index(object.mesh)], o, d, stretch);
     if (rays == 0) return;
-    ObjectRays asked;
-    alignas(64) std::int32_t valid[ObjectRays::count];
-    const auto zero = hn::Zero(DU()), ones = hn::Set(DU(), ~0u);
+    Bits hit = 0;
     for (int sixteen = 0; sixteen < N / ObjectRays::count; ++sixteen) {
         const Bits some = rays >> (sixteen * ObjectRays::count) & 0xffffu;
         if (some == 0) continue;
-        store_sixteen(o.x, sixteen, asked.origin_x);
-        store_sixteen(o.y, sixteen, asked.origin_y);
-        store_sixteen(o.z, sixteen, asked.origin_z);
-        store_sixteen(d.x, sixteen, asked.direction_x);
-        store_sixteen(d.y, sixteen, asked.direction_y);
-        store_sixteen(d.z, sixteen, asked.direction_z);
-        store_sixteen(stretch.from, sixteen, asked.near);
-        store_sixteen(stretch.to, sixteen, asked.far);
-        for (int k = 0; k < ObjectRays::count; k += lane_count) {
-            hn::Store(hn::Zero(D()), D(), asked.time + k);
-            hn::Store(ones, DU(), asked.mask + k);
-            hn::Store(zero, DU(), asked.id + k);
-            hn::Store(zero, DU(), asked.flags + k);
-            hn::Store(ones, DU(), asked.triangle + k);
-            hn::Store(ones, DU(), asked.geometry + k);
-            hn::Store(ones, DU(), asked.instance + k);
-            hn::Store(hn::BitCast(DU(), hn::IfThenElseZero(mask_of(some, k / lane_count), hn::BitCast(D(), ones))),
-                      DU(), reinterpret_cast<std::uint32_t*>(valid) + k);
-        }
-        tracer.nearest16(tracer.state, object.mesh, valid, asked);
+        ObjectRays& to = asked.rays;
+        store_sixteen(o.x, sixteen, to.origin_x);
+        store_sixteen(o.y, sixteen, to.origin_y);
+        store_sixteen(o.z, sixteen, to.origin_z);
+        store_sixteen(d.x, sixteen, to.direction_x);
+        store_sixteen(d.y, sixteen, to.direction_y);
+        store_sixteen(d.z, sixteen, to.direction_z);
+        store_sixteen(stretch.from, sixteen, to.near);
+        store_sixteen(stretch.to, sixteen, to.far);
+        asked.choose_lanes(some);
+        tracer.nearest16(tracer.state, object.mesh, asked.valid, to);
         for (Bits left = some; left != 0; left &= left - 1) {
             const int lane = static_cast<int>(lowest_bit(left));
-            if (asked.triangle[lane] != no_triangle)
-                hits.take(sixteen * ObjectRays::count + lane, id, object, asked, lane);
+            if (to.triangle[lane] == no_triangle) continue;
+            hits.take(sixteen * ObjectRays::count + lane, id, object, to, lane);
+            hit |= Bits(1) << (sixteen * ObjectRays::count + lane);
+            to.triangle[lane] = no_triangle;
         }
     }
-    stretch.to = choose(hits.rays, least(stretch.to, load<N>(hits.far)), stretch.to);
+    if (hit != 0) stretch.to = choose(hit, load<N>(hits.far), stretch.to);
 }
 
 /// Where rays leave their cell by one way, in units of their directions.
@@ -149,8 +164,8 @@ HWY_INLINE Stretch<N> stretch_of(const Floats<N>& entered, const Floats<N>& leav
 /// entered: where they came into the cell; is moved on to where they leave it. first: from where on objects count.
 template <int N>
 HWY_INLINE void meet_objects(const accel::SceneView& scene, const ObjectTracer& tracer, const ObjectList& objects,
-                             const Rays<N>& rays, const Floats<N>& first, const Group& group, Ways<N>& ways,
-                             Floats<N>& entered, ObjectHits<N>& hits) {
+                             const Rays<N>& rays, const Floats<N>& first, const Group& group, Asked& asked,
+                             Ways<N>& ways, Floats<N>& entered, ObjectHits<N>& hits) {
     using F = Floats<N>;
     F leaves = entered;
     for (int i = 0; i < ways.size; ++i)
@@ -160,7 +175,7 @@ HWY_INLINE void meet_objects(const accel::SceneView& scene, const ObjectTracer& 
         const Bits hit_before = hits.rays;
         Stretch<N> stretch = stretch_of(entered, leaves, first);
         for (std::uint32_t k = 0; k < objects.size; ++k)
-            meet_object(scene, tracer, objects.first[k], rays.origin, rays.direction, here, stretch, hits);
+            meet_object(scene, tracer, objects.first[k], rays.origin, rays.direction, here, asked, stretch, hits);
         const Bits hit = hits.rays & ~hit_before;
         if (hit != 0)
             for (int i = 0; i < ways.size; ++i) ways.of[i].rays &= ~hit;
@@ -203,6 +218,7 @@ HWY_NOINLINE void walk_among(const accel::SceneView& scene, const ObjectTracer& 
     const Rays<N> lines = rays.all();
     Floats<N> entered = first;
     ObjectHits<N> hits;
+    Asked asked;
     Groups lists[2];
     const Groups* now = &start;
     Bits alone = 0;
@@ -215,7 +231,7 @@ HWY_NOINLINE void walk_among(const accel::SceneView& scene, const ObjectTracer& 
                 events.entered_cell(scene.cells[group.cell].section_count);
             Ways<N> ways;
             leave_together(scene, rays, group.cell, group.rays, ways);
-            meet_objects(scene, tracer, objects(group.cell), lines, first, group, ways, entered, hits);
+            meet_objects(scene, tracer, objects(group.cell), lines, first, group, asked, ways, entered, hits);
             for (int i = 0; i < ways.size; ++i)
                 if (ways.of[i].rays != 0) take(scene, group.cell, ways.of[i], tints, sink, next, events);
             alone |= ways.alone;

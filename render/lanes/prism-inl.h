@@ -6,7 +6,6 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
-using DI = hn::RebindToSigned<D>;
 using Numbers = hn::Vec<DI>;
 using Mask = hn::Mask<D>;
 
