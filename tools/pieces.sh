@@ -7,7 +7,7 @@ build=${1:-build/release}
 [ -f "$build/build.ninja" ] || { echo "There is no build in $build: tools/build.sh release" >&2; exit 2; }
 
 cmake --build "$build" --target pieces_sheet
-"$build/tools/pieces_sheet" docs/furniture.png --tile 176 --columns 9 --samples 48
+"$build/tools/pieces_sheet" docs/furniture.png --tile 128 --columns 10 --samples 64 --tones 40
 
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT

@@ -1,6 +1,6 @@
-// pieces_sheet FILE.png [--detail D] [--tile PIXELS] [--columns N] [--samples N] [ID...]: our own pieces of furniture,
-// a picture each, in the light of a sky and a sun. pieces_sheet --table: their sizes and triangles, in Markdown
-// (pieces.sh).
+// pieces_sheet FILE.png [--detail D] [--tile PIXELS] [--columns N] [--samples N] [--turn DEGREES] [--tones N] [ID...]:
+// our own pieces of furniture, a picture each, in the light of a sky and a sun. pieces_sheet --table: their sizes and
+// triangles, in Markdown (pieces.sh).
 
 #include <embree3/rtcore.h>
 
@@ -153,6 +153,7 @@ struct SheetOptions {
     int columns = 8;
     int samples = 12;
     double turn = 0;  ///< degrees by which pieces are turned before the camera
+    int tones = 0;    ///< of each channel, so that what is left of noise does not fill the file; 0: as they come
     std::vector<std::string> ids;
 };
 
@@ -205,8 +206,16 @@ void draw_piece(render::Image& sheet, int left, int top, const OwnPiece& piece, 
     threads.clear();
     char size[64];
     std::snprintf(size, sizeof size, "%.2f x %.2f x %.2f", piece.entry.width, piece.entry.depth, piece.entry.height);
-    tools::draw_text(sheet, left + 6, top + options.tile + 3, 1, piece.entry.id, ink);
+    const std::string_view name = std::string_view(piece.entry.id).substr(std::string_view("own/").size());
+    tools::draw_text(sheet, left + 6, top + options.tile + 3, 1, name, ink);
     tools::draw_text(sheet, left + 6, top + options.tile + 14, 1, size, ink);
+}
+
+void reduce_tones(render::Image& sheet, int tones) {
+    for (float& part : sheet.rgb) {
+        const double shown = std::pow(std::clamp(static_cast<double>(part), 0.0, 1.0), 1 / 2.2);
+        part = static_cast<float>(std::pow(std::round(shown * tones) / tones, 2.2));
+    }
 }
 
 void draw_sheet(const SheetOptions& options) {
@@ -223,6 +232,7 @@ void draw_sheet(const SheetOptions& options) {
     for (int k = 0; k < count; ++k) {
         draw_piece(sheet, k % columns * options.tile, k / columns * (options.tile + caption), *pieces[k], options);
     }
+    if (options.tones > 0) reduce_tones(sheet, options.tones);
     render::write_image(sheet, options.file);
 }
 
@@ -255,6 +265,7 @@ SheetOptions options_of(int argc, char** argv) {
         else if (word == "--tile") options.tile = number();
         else if (word == "--columns") options.columns = number();
         else if (word == "--samples") options.samples = number();
+        else if (word == "--tones") options.tones = number();
         else if (word == "--turn") options.turn = number();
         else if (options.file.empty()) options.file = word;
         else options.ids.emplace_back(word);
