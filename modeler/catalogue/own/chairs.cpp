@@ -135,7 +135,7 @@ void add_chairs(Pieces& pieces) {
     pieces.push_back(piece<"own/stool", Size{0.35, 0.35, 0.45}>("Stool", "stool", "Seats",
                                                                 [](Shaper& s, const Size&) { low_stool(s, birch); }));
     pieces.push_back(piece<"own/stool-bar", Size{0.35, 0.35, 0.655}>(
-        "Bar stool", "stool", "Seats", [](Shaper& s, const Size&) { bar_stool(s, oak, iron); }));
+        "Bar stool", "bar_stool", "Seats", [](Shaper& s, const Size&) { bar_stool(s, oak, iron); }));
     pieces.push_back(piece<"own/bench", Size{1.4, 0.36, 0.45}>(
         "Bench", "bench", "Seats", [](Shaper& s, const Size& size) { bench(s, size, oak); }));
 }

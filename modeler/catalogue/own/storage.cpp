@@ -304,7 +304,7 @@ void add_storage(Pieces& pieces) {
         "Shelf of cubes", "shelf", "Storage", [](Shaper& s, const Size& size) { cube_shelf(s, size, white, 3, 3); },
         {.top = 1.12}));
     pieces.push_back(piece<"own/shelf-wall", Size{0.9, 0.22, 0.3}>(
-        "Wall shelf", "shelf", "Storage", [](Shaper& s, const Size& size) { wall_shelf(s, size); },
+        "Wall shelf", "wall_shelf", "Storage", [](Shaper& s, const Size& size) { wall_shelf(s, size); },
         {.elevation = 1.3}));
     pieces.push_back(piece<"own/coat-rack", Size{0.48, 0.48, 1.78}>(
         "Coat rack", "coat_rack", "Storage", [](Shaper& s, const Size& size) { coat_rack(s, size); }));
