@@ -90,12 +90,12 @@ void wheel(Shaper& s, Vec hub, double radius) {
     }
 }
 
-/// Upright, its front wheel to the right (+x).
-void bicycle(Shaper& s) {
-    const Vec rear{-0.52, 0, 0.34}, fore{0.52, 0, 0.34}, crank{-0.08, 0, 0.29}, seat{-0.24, 0, 0.80},
-        head{0.36, 0, 0.86}, neck{0.4, 0, 0.72};
-    wheel(s, rear, 0.34), wheel(s, fore, 0.34);
-    const Paint& frame = petrol;
+// Where a bicycle's parts meet.
+constexpr Vec rear{-0.52, 0, 0.34}, fore{0.52, 0, 0.34}, crank{-0.08, 0, 0.29}, seat{-0.24, 0, 0.80},
+    head{0.36, 0, 0.86}, neck{0.4, 0, 0.72};
+constexpr const Paint& frame = petrol;
+
+void bicycle_frame(Shaper& s) {
     rod(s, crank, seat, 0.016, 0.015, frame, 12);
     rod(s, crank, neck, 0.018, 0.018, frame, 12);
     rod(s, seat - Vec{-0.012, 0, 0.04}, head - Vec{0, 0, 0.04}, 0.015, 0.015, frame, 12);
@@ -109,7 +109,9 @@ void bicycle(Shaper& s) {
         for (const Vec& hub : {rear, fore}) ball(s, hub + 1.1 * off, {0.011, 0.008, 0.011}, steel, 10);
     }
     rod(s, neck + Vec{0.012, -0.025, -0.05}, neck + Vec{0.012, 0.025, -0.05}, 0.016, 0.016, frame, 10);
-    // Seat, its post, handlebar.
+}
+
+void bicycle_seat_and_bar(Shaper& s) {
     rod(s, seat - Vec{0, 0, 0.02}, seat + Vec{-0.025, 0, 0.12}, 0.012, 0.012, chrome, 12);
     {
         const auto scope = s.inside(move(-0.275, 0, 0.935));
@@ -135,7 +137,10 @@ void bicycle(Shaper& s) {
     for (const double side : both)
         rod(s, stem_top + Vec{-0.15, side * 0.281, 0.019}, stem_top + Vec{-0.045, side * 0.252, 0.039}, 0.015, 0.015,
             leather, 12);
-    // Chain ring, cranks, pedals, chain.
+}
+
+/// Chain ring, cranks, pedals, chain.
+void bicycle_drive(Shaper& s) {
     {
         const auto scope = s.inside(move(crank.x, 0, crank.z) * turn_x(90));
         drum(s, {0, 0, 0.045}, 0.088, 0.004, steel, 0.001, 32);
@@ -154,7 +159,10 @@ void bicycle(Shaper& s) {
         const auto scope = s.inside(move(rear.x, -0.047, rear.z) * turn_x(90));
         drum(s, {0, 0, -0.004}, 0.036, 0.008, iron, 0.001, 20);
     }
-    // Mudguards and a stand, so that it stands.
+}
+
+/// Mudguards, and a stand, so that it stands.
+void bicycle_guards(Shaper& s) {
     for (const Vec& hub : {rear, fore}) {
         const int steps = s.fine(12);
         std::vector<Ring> rings;
@@ -169,6 +177,15 @@ void bicycle(Shaper& s) {
         s.skin(rings, frame);
     }
     rod(s, crank + Vec{-0.06, 0.01, 0.0}, {-0.2, 0.17, 0.006}, 0.008, 0.007, steel, 8);
+}
+
+/// Upright, its front wheel to the right (+x).
+void bicycle(Shaper& s) {
+    wheel(s, rear, 0.34), wheel(s, fore, 0.34);
+    bicycle_frame(s);
+    bicycle_seat_and_bar(s);
+    bicycle_drive(s);
+    bicycle_guards(s);
 }
 
 }  // namespace
