@@ -32,8 +32,11 @@ inline constexpr std::string_view circle_list[] = {"centre", "radius", "sides"};
 inline constexpr std::string_view stair_list[] = {"id", "name", "polygon"};
 inline constexpr std::string_view shaft_list[] = {"id", "name", "polygon", "circle"};
 inline constexpr std::string_view light_list[] = {"id", "name", "position", "elevation", "colour", "power_lumen"};
-inline constexpr std::string_view furniture_list[] = {"id",        "name",  "model", "position", "elevation", "angle",
-                                                      "angle_deg", "width", "depth", "height",   "mirrored",  "colour"};
+inline constexpr std::string_view furniture_list[] = {
+    "id",         "name",  "model",     "position", "elevation", "angle",     "angle_deg",
+    "width",      "depth", "height",    "mirrored", "colour",    "catalogue", "model_rotation",
+    "model_size", "pitch", "pitch_deg", "roll",     "roll_deg",  "materials"};
+inline constexpr std::string_view material_list[] = {"name", "colour"};
 inline constexpr std::string_view finding_list[] = {"code",  "severity", "sentence", "hint",
                                                     "point", "storey",   "elements", "moved_mm"};
 inline constexpr std::string_view element_list[] = {"kind", "id", "name"};
@@ -49,11 +52,12 @@ inline constexpr JsonKeys stair{"stair", stair_list};
 inline constexpr JsonKeys shaft{"shaft", shaft_list};
 inline constexpr JsonKeys light{"light", light_list};
 inline constexpr JsonKeys furniture{"furniture", furniture_list};
+inline constexpr JsonKeys material{"material", material_list};
 inline constexpr JsonKeys finding{"finding", finding_list};
 inline constexpr JsonKeys element{"element", element_list};
 
-inline constexpr std::array all{plan,  storey, wall,  opening,   room,    column, circle,
-                                stair, shaft,  light, furniture, finding, element};
+inline constexpr std::array all{plan,  storey, wall,  opening,   room,     column,  circle,
+                                stair, shaft,  light, furniture, material, finding, element};
 
 }  // namespace keys
 }  // namespace enfilade::plans

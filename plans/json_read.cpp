@@ -8,7 +8,9 @@
 #include "base/error.h"
 #include "plans/json_fields.h"
 #include "plans/limits.h"
+#include "plans/number_text.h"
 #include "plans/read.h"
+#include "plans/rotation.h"
 
 namespace enfilade::plans {
 namespace {
@@ -261,7 +263,47 @@ private:
         piece.height = fields.length("height", extent, piece.height);
         piece.mirrored = fields.flag("mirrored", false);
         piece.colour = fields.colour("colour");
+        piece.catalogue = fields.text("catalogue", "");
+        if (fields.has("model_rotation")) piece.model_rotation = read_rotation(fields);
+        if (fields.has("model_size")) piece.model_size = read_numbers<3>(fields, "model_size", extent, source_.unit);
+        piece.pitch = fields.angle("pitch", whole_turns, 0);
+        piece.roll = fields.angle("roll", whole_turns, 0);
+        for (const JsonValue& item : fields.list("materials")) {
+            const Fields material(item, keys::material, source_);
+            const auto colour = material.colour("colour");
+            piece.materials.push_back({material.text("name"), colour ? *colour : FurnitureMaterial{}.colour});
+        }
         return piece;
+    }
+
+    /// n numbers in a row, in a range.
+    template <std::size_t n>
+    std::array<double, n> read_numbers(const Fields& fields, std::string_view key, Range range, double scale) {
+        const JsonValue& value = fields.at(key);
+        const std::string wanted = std::to_string(n) + " numbers, " + (range.low_open ? "more than " : "at least ") +
+                                   number_text(range.low) + " and at most " + number_text(range.high);
+        const JsonValue::Array* items = value.array();
+        if (items == nullptr || items->size() != n) fields.wrong_kind(key, value, wanted.c_str());
+        std::array<double, n> numbers{};
+        for (std::size_t k = 0; k < n; ++k) {
+            const double* number = (*items)[k].number();
+            if (number == nullptr) fields.wrong_kind(key, (*items)[k], wanted.c_str());
+            numbers[k] = *number * scale;
+            const bool above = range.low_open ? numbers[k] > range.low : numbers[k] >= range.low;
+            if (!above || !(numbers[k] <= range.high))
+                refuse(source_, "P105", (*items)[k].place,
+                       "\"" + std::string(key) + "\" of a piece of furniture must be " + wanted + ".");
+        }
+        return numbers;
+    }
+
+    std::array<double, 9> read_rotation(const Fields& fields) {
+        const auto rows = read_numbers<9>(fields, "model_rotation", {-10, 10}, 1);
+        if (!is_rotation(rows))
+            refuse(source_, "P105", fields.at("model_rotation").place,
+                   "\"model_rotation\" of a piece of furniture must hold three rows that turn its mesh: each of length "
+                   "1, at right angles to each other.");
+        return rows;
     }
 
     Finding read_finding(const JsonValue& value) {

@@ -66,6 +66,13 @@ private:
     std::string text_;
 };
 
+template <std::size_t n>
+std::string numbers_text(const std::array<double, n>& numbers) {
+    std::string text;
+    for (const double number : numbers) text += (text.empty() ? "[" : ", ") + number_text(number);
+    return text + "]";
+}
+
 template <class Element>
 Line begin(const Element& element) {
     Line line;
@@ -137,7 +144,16 @@ std::string write_element(const Furniture& piece) {
         .number("depth", piece.depth)
         .number("height", piece.height);
     if (piece.mirrored) line.raw("mirrored", "true");
-    return line.colour("colour", piece.colour).done();
+    line.colour("colour", piece.colour).text_unless_empty("catalogue", piece.catalogue);
+    if (piece.model_rotation) line.raw("model_rotation", numbers_text(*piece.model_rotation));
+    if (piece.model_size) line.raw("model_size", numbers_text(*piece.model_size));
+    line.number_unless("pitch", piece.pitch, 0).number_unless("roll", piece.roll, 0);
+    if (piece.materials.empty()) return line.done();
+    std::string materials;
+    for (const FurnitureMaterial& material : piece.materials)
+        materials += (materials.empty() ? "" : ", ") +
+                     Line().text("name", material.name).raw("colour", colour_text(material.colour)).done();
+    return line.raw("materials", "[" + materials + "]").done();
 }
 
 std::string write_element(const Finding& finding) {

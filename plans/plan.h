@@ -93,7 +93,16 @@ struct Light {
     double power_lumen = 800;
 };
 
+/// A material of a piece's mesh that has another colour in this piece.
+struct FurnitureMaterial {
+    std::string name;
+    Colour colour = {0.8f, 0.8f, 0.8f};
+    friend bool operator==(const FurnitureMaterial&, const FurnitureMaterial&) = default;
+};
+
 /// A piece of furniture as placed by the plan; `model` names its mesh inside the plan file, or a catalogue entry.
+/// Its mesh (z up, front towards -y) is turned by `model_rotation`, scaled to the box `model_size`, mirrored, tilted by
+/// `pitch` or else by `roll`, turned by `angle`; its box is then width x depth x height, about the piece's own axes.
 struct Furniture {
     std::string id;
     std::string name;
@@ -106,6 +115,12 @@ struct Furniture {
     double height = 1;
     bool mirrored = false;
     std::optional<Colour> colour;
+    std::string catalogue;                                ///< a catalogue entry to take where `model` is not to be had
+    std::optional<std::array<double, 9>> model_rotation;  ///< rows
+    std::optional<std::array<double, 3>> model_size;      ///< width, depth, height before tilting; none: not tilted
+    double pitch = 0;                                     ///< about its x axis: positive lowers the back
+    double roll = 0;                                      ///< about its y axis: positive lowers the right
+    std::vector<FurnitureMaterial> materials;
 };
 
 struct Storey {

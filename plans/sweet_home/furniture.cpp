@@ -1,10 +1,14 @@
 // Pieces of furniture, lights, stairs, and doors and windows as they are placed.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <locale>
 #include <numbers>
+#include <sstream>
 
 #include "plans/limits.h"
 #include "plans/number_text.h"
+#include "plans/rotation.h"
 #include "plans/sweet_home/parts.h"
 #include "plans/sweet_home/shape.h"
 #include "plans/sweet_home/words.h"
@@ -31,6 +35,9 @@ struct Box {
     double height = 1;
     double elevation = 0;
     bool mirrored = false;
+    double pitch = 0;
+    double roll = 0;
+    std::optional<std::array<double, 3>> model_size;  ///< where it is tilted
 
     /// A place inside it by shares from its left back corner; the back is up where the angle is 0.
     [[nodiscard]] Point at(double right, double down) const {
@@ -44,6 +51,15 @@ struct Box {
 double turned_up(double clockwise) {
     const double angle = std::remainder(-clockwise, 2 * pi);
     return angle == 0 ? 0 : angle;
+}
+
+/// A tilted piece has a size of its own, and the one of its box in the plan.
+void read_tilt(const HomeElement& element, Box& box) {
+    box.pitch = std::remainder(element.number("pitch", angle_range, 0), 2 * pi);
+    if (box.pitch == 0) box.roll = std::remainder(element.number("roll", angle_range, 0), 2 * pi);
+    if (box.pitch == 0 && box.roll == 0) return;
+    const auto own = [&](const char* key, double in_plan) { return element.metres(key, extent).value_or(in_plan); };
+    box.model_size = {{own("width", box.width), own("depth", box.depth), own("height", box.height)}};
 }
 
 std::optional<Box> read_box(const HomeElement& element) {
@@ -65,12 +81,32 @@ std::optional<Box> read_box(const HomeElement& element) {
     box.elevation = element.metres("elevation", height_range, 0);
     box.angle = turned_up(element.number("angle", angle_range, 0));
     box.mirrored = element.flag("modelMirrored", false);
+    read_tilt(element, box);
     return box;
 }
 
 std::string model_of(const HomeElement& element) {
     const std::string model = element.text("model");
     return model.empty() ? element.text("catalogId") : model;
+}
+
+/// Rows of a rotation in the file's axes (y up, z to the front) in ours (z up, y to the back).
+std::optional<std::array<double, 9>> read_rotation(const HomeElement& element) {
+    if (!element.has("modelRotation")) return {};
+    std::array<double, 9> rows{};
+    std::istringstream text(element.text("modelRotation"));
+    text.imbue(std::locale::classic());
+    for (double& number : rows) text >> number;
+    if (!text || !is_rotation(rows)) {
+        element.unusable("modelRotation", "no rotation");
+        return {};
+    }
+    // (x, y, z) -> (x, -z, y) on both sides.
+    const auto& [xx, xy, xz, yx, yy, yz, zx, zy, zz] = rows;
+    const std::array<double, 9> ours = {xx, -xz, xy, -zx, zz, -zy, yx, -yz, yy};
+    constexpr std::array<double, 9> identity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    if (ours == identity) return {};
+    return ours;
 }
 
 void add_furniture(const HomeElement& element, const Box& box, const std::string& id, Storey& storey) {
@@ -86,6 +122,18 @@ void add_furniture(const HomeElement& element, const Box& box, const std::string
     piece.height = box.height;
     piece.mirrored = box.mirrored;
     piece.colour = element.colour("color");
+    piece.catalogue = element.text("catalogId");
+    if (piece.catalogue == piece.model) piece.catalogue.clear();
+    // A library turns its models itself.
+    if (!element.text("model").empty()) piece.model_rotation = read_rotation(element);
+    piece.model_size = box.model_size;
+    piece.pitch = box.pitch;
+    piece.roll = box.roll;
+    for (const pugi::xml_node node : element.node().children("material")) {
+        const HomeElement material = element.child(node);
+        if (const auto colour = material.colour("color"); colour && !material.text("name").empty())
+            piece.materials.push_back({material.text("name"), *colour});
+    }
     storey.furniture.push_back(std::move(piece));
 }
 

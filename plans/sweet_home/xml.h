@@ -45,6 +45,9 @@ public:
     /// ARGB in hexadecimal as Sweet Home 3D writes it, or in decimal as some scripts do.
     [[nodiscard]] std::optional<Colour> colour(const char* key) const;
 
+    /// Says that the attribute's value cannot be used, and what is taken instead.
+    void unusable(const char* key, const std::string& instead) const { report_unusable(key, instead); }
+
     /// "wall \"wall-1\"" or "door \"Front door\" (doorOrWindow-3)": how a sentence names it.
     [[nodiscard]] std::string label() const;
 

@@ -70,6 +70,13 @@ INSTANTIATE_TEST_SUITE_P(
                   "nowhere"},
         Complaint{"a text cut short", "{\"storeys\": [\n{\"id\": \"g\",", "P101", 2, ""},
         Complaint{"NaN", storey_with(R"("height": NaN)"), "P101", 3, ""},
+        Complaint{"a mesh that is not turned but flattened", storey_with(R"("furniture": [{"position": [0, 0],
+"model_rotation": [1, 0, 0, 0, 1, 0, 0, 0, 0]}])"),
+                  "P105", 4, "model_rotation"},
+        Complaint{"two sizes", storey_with(R"("furniture": [{"position": [0, 0], "model_size": [1, 1]}])"), "P103", 3,
+                  "3 numbers"},
+        Complaint{"a size of nothing", storey_with(R"("furniture": [{"position": [0, 0], "model_size": [1, 1, 0]}])"),
+                  "P105", 3, "model_size"},
         Complaint{"an unknown kind", storey_with(one_wall + R"(,
 "openings": [{"wall": "w", "offset": 1, "kind": "gate"}])"),
                   "P105", 4, "kind"}));
@@ -102,6 +109,21 @@ TEST(JsonPlan, MakesCirclesPolygons) {
     ASSERT_EQ(plan.storeys[0].columns[0].polygon.size(), 16u);
     for (const Point& corner : plan.storeys[0].columns[0].polygon)
         EXPECT_NEAR(std::hypot(corner.x - 1, corner.y - 2), 0.5, 1e-12);
+}
+
+TEST(JsonPlan, ReadsHowFurnitureIsTurned) {
+    const Plan plan = read_json(R"({"storeys": [{"elevation": 0, "height": 2.5, "furniture": [
+        {"position": [1, 2], "model": "a", "catalogue": "b", "model_rotation": [0, -1, 0, 1, 0, 0, 0, 0, 1],
+         "model_size": [1, 2, 3], "pitch_deg": 90, "roll": 0.5, "materials": [{"name": "wood", "colour": [1, 0, 0]}]}]}]})",
+                                "");
+    const Furniture& piece = plan.storeys.at(0).furniture.at(0);
+    EXPECT_EQ(piece.catalogue, "b");
+    EXPECT_EQ(piece.model_rotation, (std::array<double, 9>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(piece.model_size, (std::array<double, 3>{1, 2, 3}));
+    EXPECT_DOUBLE_EQ(piece.pitch, 1.5707963267948966);
+    EXPECT_EQ(piece.materials.at(0), (FurnitureMaterial{"wood", {1, 0, 0}}));
+    const std::string text = write_json(plan);
+    EXPECT_EQ(write_json(read_json(text, "")), text);
 }
 
 TEST(JsonPlan, ExamplesRoundTrip) {

@@ -240,6 +240,36 @@ TEST(SweetHome, ReadsPiecesInsideGroups) {
     EXPECT_EQ(piece.colour, (Colour{0, 1, 0}));
 }
 
+TEST(SweetHome, ReadsHowAModelIsTurnedAndTilted) {
+    const Plan plan = read_home(
+        "<pieceOfFurniture id='p' catalogId='eTeks#roof' model='1/roof.obj' x='0' y='0' width='100' depth='50' "
+        "height='20' widthInPlan='100' depthInPlan='53.5' heightInPlan='42' pitch='0.5' "
+        "modelRotation='0 0 -1 0 1 0 1 0 0'><material name='Tiles' color='FFFF0000'/><material name='Felt'/>"
+        "</pieceOfFurniture>"
+        "<pieceOfFurniture id='q' model='q' x='0' y='0' width='100' depth='50' height='20' pitch='0' roll='0' "
+        "modelRotation='1 0 0 0 1 0 0 0 1'/>"
+        "<pieceOfFurniture id='r' model='r' x='0' y='0' width='100' depth='50' height='20' "
+        "modelRotation='1 0 0 0 1 0 0 0'/>"
+        "<pieceOfFurniture id='s' model='s' x='0' y='0' width='100' depth='50' height='20' "
+        "modelRotation='0 0 0 0 1 0 0 0 1'/>");
+    const std::vector<Furniture>& pieces = plan.storeys.at(0).furniture;
+    ASSERT_EQ(pieces.size(), 4u);
+    EXPECT_EQ(pieces[0].catalogue, "eTeks#roof");
+    // The file's x axis becomes its z axis, to the front: in ours that is -y.
+    EXPECT_EQ(pieces[0].model_rotation, (std::array<double, 9>{0, 1, 0, -1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(pieces[0].model_size, (std::array<double, 3>{1, 0.5, 0.2}));
+    EXPECT_DOUBLE_EQ(pieces[0].depth, 0.535);
+    EXPECT_DOUBLE_EQ(pieces[0].height, 0.42);
+    EXPECT_DOUBLE_EQ(pieces[0].pitch, 0.5);
+    ASSERT_EQ(pieces[0].materials.size(), 1u);
+    EXPECT_EQ(pieces[0].materials[0], (FurnitureMaterial{"Tiles", {1, 0, 0}}));
+    for (std::size_t k = 1; k < 4; ++k) {
+        EXPECT_FALSE(pieces[k].model_rotation);
+        EXPECT_FALSE(pieces[k].model_size);
+    }
+    EXPECT_EQ(findings_of(plan, "P160").size(), 2u) << "of r and s";
+}
+
 TEST(SweetHome, SaysHowManyPiecesAreHiddenOrWithoutSize) {
     const Plan plan = read_home(
         "<pieceOfFurniture name='p' x='0' y='0' width='9' depth='9' height='9' visible='false'/>"
