@@ -258,7 +258,7 @@ void round_mirror(Shaper& s, const Size& size) {
     const double r = size.width / 2, y = size.depth / 2;
     const auto scope = s.inside(move(0, y, r) * turn_x(90));
     const Ring inner = ellipse({}, r - 0.012, r - 0.012, s.fine(48));
-    plate(s, inner, 0, y, mirror_glass);
+    plate(s, inner, 0.001, y, mirror_glass);
     const Vec frame[] = {{r - 0.02, 0, 0},           {r, 0, 0},
                          {r, 0, size.depth - 0.004}, {r - 0.004, 0, size.depth},
                          {r - 0.016, 0, size.depth}, {r - 0.02, 0, size.depth - 0.004}};

@@ -180,7 +180,7 @@ void meeting_table(Shaper& s, const Size& size) {
             outline.push_back({side * t * -x, side * half * -1, 0});
         }
     }
-    plate(s, outline, h - 0.035, h, light_oak, 0.006);
+    plate(s, outline, h - 0.035, h - 0.0008, light_oak, 0.006);
     for (const double side : both) {
         for (const double f : both) {
             post(s, {side * (x - 0.36), f * (y - 0.26), 0}, {side * (x - 0.42), f * (y - 0.4), h - 0.035},
@@ -190,7 +190,7 @@ void meeting_table(Shaper& s, const Size& size) {
               charcoal, 0.004);
     }
     block(s, {-x + 0.4, -0.03, h - 0.075}, {x - 0.4, 0.03, h - 0.036}, charcoal, 0.004);
-    block(s, {-0.16, -0.06, h - 0.0045}, {0.16, 0.06, h - 0.0001}, steel, 0.002);
+    block(s, {-0.16, -0.06, h - 0.0045}, {0.16, 0.06, h}, steel, 0.002);
 }
 
 void reception_desk(Shaper& s, const Size& size) {
