@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <mutex>
@@ -101,18 +102,14 @@ public:
     }
 
     /// Called for each mesh once, by any number of threads.
-    void add(const accel::SceneView& view, std::size_t mesh, const EmbreeObjectOptions& options) {
+    void add(const accel::SceneView& view, std::size_t mesh, bool is_compact) {
         const RTCScene scene = rtcNewScene(device_);
         if (scene == nullptr) return;
         scenes_[mesh] = scene;
-        const RTCBuildQuality quality = options.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
-        int flags = RTC_SCENE_FLAG_NONE;
-        if (options.compact) flags |= RTC_SCENE_FLAG_COMPACT;
-        if (options.robust) flags |= RTC_SCENE_FLAG_ROBUST;
-        rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(flags));
-        rtcSetSceneBuildQuality(scene, quality);
+        rtcSetSceneFlags(scene, is_compact ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE);
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, quality);
+        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
         share_buffers(view, view.meshes[mesh], geometry);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
@@ -168,13 +165,39 @@ private:
     std::string error_;
 };
 
+/// Which meshes get the small trees.
+std::vector<bool> compact_ones(const accel::SceneView& scene, const std::vector<bool>& used, double bytes_a_triangle) {
+    constexpr double fast_bytes = 80, compact_bytes = 48;
+    std::vector<double> places(scene.meshes.size(), 0);
+    for (const accel::PlacedObject& object : scene.objects) ++places[index(object.mesh)];
+    std::vector<std::size_t> order;
+    double left = 0;
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        if (!used[m] || scene.meshes[m].triangle_count == 0) continue;
+        order.push_back(m);
+        left += (bytes_a_triangle - compact_bytes) * scene.meshes[m].triangle_count;
+    }
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        return places[a] * scene.meshes[b].triangle_count > places[b] * scene.meshes[a].triangle_count;
+    });
+    std::vector<bool> compact(scene.meshes.size(), true);
+    for (const std::size_t m : order) {
+        const double more = (fast_bytes - compact_bytes) * scene.meshes[m].triangle_count;
+        if (more > left) continue;
+        left -= more;
+        compact[m] = false;
+    }
+    return compact;
+}
+
 }  // namespace
 
 std::unique_ptr<ObjectAccel> build_embree_objects(const accel::SceneView& scene, const std::vector<bool>& used,
                                                   const accel::Executor& executor, const EmbreeObjectOptions& options) {
     auto objects = std::make_unique<EmbreeObjects>(scene.meshes.size());
+    const std::vector<bool> compact = compact_ones(scene, used, options.bytes_a_triangle);
     executor.run(scene.meshes.size(), [&](std::size_t mesh) {
-        if (used[mesh] && scene.meshes[mesh].triangle_count > 0) objects->add(scene, mesh, options);
+        if (used[mesh] && scene.meshes[mesh].triangle_count > 0) objects->add(scene, mesh, compact[mesh]);
     });
     objects->require_success();
     return objects;

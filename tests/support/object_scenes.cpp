@@ -91,7 +91,7 @@ accel::Scene room_of_meshes(const std::vector<accel::InputMesh>& meshes) {
     for (std::uint32_t i = 0; i < meshes.size(); ++i) {
         input.meshes.push_back(std::make_shared<accel::InputMesh>(meshes[i]));
         accel::InputObject object;
-        object.id = "object " + std::to_string(i);
+        object.id = "object " + std::to_string(1000 + i);
         object.mesh = i;
         object.scene_from_object = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
         input.objects.push_back(object);
