@@ -158,12 +158,19 @@ private:
         }
     }
 
+    /// Walls and floors around an object look as they do around its room.
+    [[nodiscard]] Label label_seen(const Volume& volume) const {
+        if (volume.label != Label::Object) return volume.label;
+        return building_.spaces[place_of(building_, volume.space)].label;
+    }
+
     std::uint32_t add_level_face(const std::vector<std::uint32_t>& ring, std::uint32_t viewer, std::uint32_t behind,
                                  bool is_floor) {
         const Volume& volume = building_.volumes[viewer];
         const Volume& back = building_.volumes[behind];
-        const Surface shown = surface(volume.label, back.label, is_floor ? Looking::Down : Looking::Up);
-        input_.source_faces.push_back({shown, volume.space, materials_.of(shown, volume.space, back.space, no_index),
+        const std::uint32_t place = place_of(building_, volume.space);
+        const Surface shown = surface(label_seen(volume), back.label, is_floor ? Looking::Down : Looking::Up);
+        input_.source_faces.push_back({shown, volume.space, materials_.of(shown, place, back.space, no_index),
                                        std::uint32_t(input_.vertices.size())});
         const auto add = [&](std::uint32_t point) {
             const plans::GridPoint p = building_.points[point];
@@ -211,8 +218,8 @@ private:
             } else {
                 const Volume& viewer = building_.volumes[v];
                 const Volume& back = building_.volumes[behind];
-                run.surface = kind.forced.value_or(surface(viewer.label, back.label, Looking::Sideways));
-                run.material = materials_.of(run.surface, viewer.space, back.space, corner.line);
+                run.surface = kind.forced.value_or(surface(label_seen(viewer), back.label, Looking::Sideways));
+                run.material = materials_.of(run.surface, place_of(building_, viewer.space), back.space, corner.line);
             }
             if (runs_.size() > first && runs_.back().like(run)) runs_.back().z_high = run.z_high;
             else runs_.push_back(run);

@@ -26,6 +26,11 @@ Surface surface(Label viewer, Label behind, Looking looking) {
     return Surface::WallPaper;
 }
 
+std::uint32_t place_of(const Building& building, std::uint32_t space) {
+    const Space& own = building.spaces[space];
+    return own.label == Label::Object && own.room < building.spaces.size() ? own.room : space;
+}
+
 OpeningFaces::OpeningFaces(const Building& building) : towards_(building.spaces.size(), UINT32_MAX) {
     // The lower rank wins, then the lower space.
     const auto rank = [](Label opening, Label beside) {
@@ -36,11 +41,12 @@ OpeningFaces::OpeningFaces(const Building& building) : towards_(building.spaces.
         const bool has_face =
             opening.label == Label::Window || (opening.label == Label::Door && building.spaces[opening.space].closed);
         if (!has_face || !carries_light(beside.label) || beside.space == opening.space) return;
+        const std::uint32_t place = place_of(building, beside.space);
         std::uint32_t& best = towards_[opening.space];
         const auto key = [&](std::uint32_t space) {
             return std::pair(rank(opening.label, building.spaces[space].label), space);
         };
-        if (best == UINT32_MAX || key(beside.space) < key(best)) best = beside.space;
+        if (best == UINT32_MAX || key(place) < key(best)) best = place;
     };
     for (const Face& face : building.faces) {
         if (face.direction != Direction::Side) continue;
@@ -56,7 +62,8 @@ FaceKind face_kind(const Building& building, const OpeningFaces& openings, const
     if (front.space == back.space || (front.label == Label::Room && back.label == Label::Room))
         return {.is_portal = true, .portal = PortalKind::Virtual};
     for (const auto& [opening, beside] : {std::pair(&front, &back), std::pair(&back, &front)}) {
-        if (face.direction != Direction::Side || openings.closed_towards(opening->space) != beside->space) continue;
+        if (face.direction != Direction::Side) continue;
+        if (openings.closed_towards(opening->space) != place_of(building, beside->space)) continue;
         if (opening->label == Label::Door) return {.forced = Surface::Leaf};
         if (building.opaque_glass) return {.forced = Surface::Pane};
         return {.is_portal = true, .portal = PortalKind::Glass};

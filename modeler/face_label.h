@@ -19,6 +19,10 @@ enum class Looking : std::uint8_t { Sideways, Down, Up };
 /// What a solid face shows to a viewer's volume with what is behind it. Pure: the labels and the direction decide.
 [[nodiscard]] Surface surface(Label viewer, Label behind, Looking looking);
 
+/// The space as light takes it: of an object's volume the room, or the exterior, in which it stands. What is seen
+/// through the volume looks as if it was not there.
+[[nodiscard]] std::uint32_t place_of(const Building& building, std::uint32_t space);
+
 /// Where a window has its pane and a shut door its leaf: towards which space. Windows: the exterior, else the first
 /// space beside them; doors: the first room, else the first space beside them ("exactly one glass portal, the outer
 /// face"; "closed makes the inner face a solid leaf").

@@ -56,4 +56,18 @@ std::vector<DoorSweep> door_sweeps(const plans::Wall& wall, const plans::Opening
     return sweeps;
 }
 
+double depth_in_sweep(const UprightBody& body, const DoorSweep& sweep, const WallBodies& bodies, std::uint32_t host) {
+    constexpr double doubtful = 0.08;  // metres: rugs, and lamps over the leaf
+    if (shared_height(body, sweep.body) < doubtful) return 0;
+    const Footprint common = shared(body.footprint, sweep.body.footprint);
+    if (common.empty()) return 0;
+    const Point middle = middle_of(common);
+    double depth = depth_of(middle, sweep.body.footprint);
+    for (const Point p : common) depth = std::max(depth, depth_of(p, sweep.body.footprint));
+    constexpr int samples = 8;
+    for (int k = 1; k < samples; ++k)
+        if (bodies.wall_at(sweep.mouth + (middle - sweep.mouth) * (double(k) / samples), host)) return 0;
+    return depth;
+}
+
 }  // namespace enfilade::modeler

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "modeler/constraints/piece_boxes.h"
+#include "modeler/constraints/wall_bodies.h"
 #include "plans/outline.h"
 
 namespace enfilade::modeler {
@@ -18,5 +19,10 @@ struct DoorSweep {
 
 /// Those on both sides of a door; none where it slides. Curved walls: as if straight at the door.
 [[nodiscard]] std::vector<DoorSweep> door_sweeps(const plans::Wall& wall, const plans::Opening& door);
+
+/// How far a body reaches into the floor that the leaf needs, in metres; 0 where a wall other than the door's own
+/// (`host`, of the storey of `bodies`) stands between the two, or where they share less than 8 cm of height.
+[[nodiscard]] double depth_in_sweep(const UprightBody& body, const DoorSweep& sweep, const WallBodies& bodies,
+                                    std::uint32_t host);
 
 }  // namespace enfilade::modeler

@@ -8,6 +8,7 @@
 
 #include "modeler/constraints/constraints.h"
 #include "modeler/constraints/door_sweeps.h"
+#include "modeler/constraints/furnished_objects.h"
 #include "modeler/constraints/map_faces.h"
 #include "modeler/constraints/piece_boxes.h"
 #include "modeler/constraints/space_index.h"
@@ -223,23 +224,6 @@ private:
         }
     }
 
-public:
-    /// How far a body reaches into the floor that the leaf needs; 0 where a wall stands between the two.
-    static double depth_in_sweep(const UprightBody& body, const DoorSweep& sweep, const WallBodies& bodies,
-                                 std::uint32_t host) {
-        if (shared_height(body, sweep.body) < doubtful) return 0;
-        const Footprint common = shared(body.footprint, sweep.body.footprint);
-        if (common.empty()) return 0;
-        const Point middle = middle_of(common);
-        double depth = depth_of(middle, sweep.body.footprint);
-        for (const Point p : common) depth = std::max(depth, depth_of(p, sweep.body.footprint));
-        constexpr int samples = 8;
-        for (int k = 1; k < samples; ++k)
-            if (bodies.wall_at(sweep.mouth + (middle - sweep.mouth) * (double(k) / samples), host)) return 0;
-        return depth;
-    }
-
-private:
     const plans::Storey& storey_;
     std::vector<Finding>& findings_;
     std::vector<Piece> pieces_;
@@ -315,7 +299,7 @@ private:
             if (wall == storey.walls.end()) continue;
             const std::uint32_t host = std::uint32_t(wall - storey.walls.begin());
             for (const DoorSweep& sweep : door_sweeps(*wall, door))
-                if (StoreyPieces::depth_in_sweep(body, sweep, bodies, host) > rule_margin) {
+                if (depth_in_sweep(body, sweep, bodies, host) > rule_margin) {
                     blame(v, "stands in the way of door " + called(door), {});
                     report_.findings.back().elements.push_back({"door", door.id, door.name});
                     return;
@@ -348,6 +332,7 @@ void check_objects(const Subject& subject, Blame& blame, CheckReport& report) {
     report.codes_checked.emplace_back("S6");
     for (std::uint32_t k = 0; k < subject.building.storeys.size(); ++k)
         if (const plans::Storey* storey = subject.spaces.storey(k)) StoreyPieces(*storey, report.findings).run();
+    check_furnished_objects(subject, report);
     if (blame.whole_map) ++report.suppressed;
     else ObjectVolumes(subject, blame, report).run();
 }

@@ -6,6 +6,7 @@
 
 #include "modeler/exports/gltf_file.h"
 #include "modeler/exports/gltf_fittings.h"
+#include "modeler/exports/gltf_objects.h"
 #include "modeler/exports/scene_mesh.h"
 
 namespace enfilade::modeler {
@@ -21,7 +22,10 @@ Point3 y_up(const Point3& p) { return {p[0], p[2], 0.0f - p[1]}; }
 class Writer {
 public:
     Writer(const accel::SceneView& scene, const Fittings& fittings)
-        : scene_(scene), fittings_(fittings), mesh_(scene_mesh(scene)) {}
+        : scene_(scene), fittings_(fittings), mesh_(scene_mesh(scene)), space_nodes_(scene.spaces.size(), 0) {
+        // Real meshes instead of boxes.
+        if (scene.has_objects()) fittings_.furniture.clear();
+    }
 
     std::string write() {
         for (const MeshMaterial& material : mesh_.materials) add_material(material);
@@ -52,11 +56,13 @@ private:
             const std::size_t parent = storey.empty() ? 0 : storey_node(storey);
             const std::size_t child = file_.add("nodes", node(space));
             file_["nodes"][parent]["children"].push_back(child);
+            space_nodes_[index(space.space)] = child;
         }
         std::vector<std::size_t> storeys;
         for (const StoreyInfo& storey : fittings_.storeys)
             storeys.push_back(has_fittings(storeys.size()) ? storey_node(storey.id) : 0);
         add_fittings(fittings_, storeys, file_);
+        if (scene_.has_objects()) add_objects(scene_, space_nodes_, file_);
         for (Json& each : file_["nodes"])
             if (each.contains("children") && each["children"].empty()) each.erase("children");
         file_.add("scenes", {{"name", "building"}, {"nodes", {0}}});
@@ -105,10 +111,11 @@ private:
     }
 
     const accel::SceneView& scene_;
-    const Fittings& fittings_;
+    Fittings fittings_;
     SceneMesh mesh_;
     GltfFile file_;
     std::map<std::string, std::size_t> storeys_;  ///< node of each storey
+    std::vector<std::size_t> space_nodes_;        ///< [space] its node; 0, the root, where it shows no face
 };
 
 }  // namespace
