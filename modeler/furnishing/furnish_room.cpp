@@ -69,6 +69,9 @@ private:
         Random random{seed_, hash_of(room_.id), number, hash_of(rule.object.front())};
         if (room_.area_m2 < rule.least_area || room_.area_m2 > rule.most_area) return;
         if (rule.place == Relation::Ceiling && room_.open_to_sky) return;
+        const auto is_there = [&](const Body& body) { return body.kind == rule.unless; };
+        if (!rule.unless.empty() && std::any_of(occupancy_.bodies().begin(), occupancy_.bodies().end(), is_there))
+            return;
         const bool comes = random.chance(rule.probability);
         std::uint32_t count = rule.least + random.below(rule.most - rule.least + 1);
         if (rule.per_area > 0)
@@ -161,15 +164,18 @@ private:
             changed = walkways_->put(bodies[k].ring, 1) || changed;
         }
         accesses_.push_back(access_of(group, before_));
-        if (obstacles_.empty() || ((!changed || walkways_->all_open()) && all_accessible(changed))) return placed;
+        if (obstacles_.empty()) return placed;
+        // Where nothing that was free is blocked now, what was reached before still is.
+        const bool open = (!changed && !stale_) || walkways_->all_open();
+        stale_ = false;
+        if (open && all_accessible(changed)) return placed;
         take_back();
-        if (changed) (void)walkways_->all_open();
         return refused_way;
     }
 
     void take_back() {
         for (const Ring& ring : obstacles_) (void)walkways_->put(ring, -1);
-        if (!obstacles_.empty()) (void)walkways_->all_open();
+        stale_ = stale_ || !obstacles_.empty();
         obstacles_.clear();
         occupancy_.undo(before_);
         accesses_.pop_back();
@@ -182,17 +188,22 @@ private:
         return is_obstacle(room_, carrier.z_low, carrier.z_high);
     }
 
-    /// The nodes of which one has to be reached, so that people come to the group: around its seats, or else the floor
-    /// that it keeps clear.
-    [[nodiscard]] std::vector<std::uint32_t> access_of(const Draft& group, Occupancy::Mark before) const {
+    /// Nodes of which one has to be reached, so that people come to the group.
+    struct Access {
+        bool needed = false;
+        std::vector<std::uint32_t> nodes;
+    };
+
+    /// By the floor that the group keeps clear.
+    [[nodiscard]] Access access_of(const Draft& group, Occupancy::Mark before) const {
         const Body& first = occupancy_.bodies()[before.bodies];
         if (first.hangs || !walkways_->has_gates()) return {};
         const Clearance& clear = group.rule->clearance;
         if (!(clear.front > 0) && !(clear.one_side > 0) && !(clear.sides > 0)) return {};
         const double metre = 1 / unit_;
         const double side = std::max(clear.one_side, clear.sides) * metre;
-        return walkways_->nodes_near(occupancy_.around(first, clear.front * metre, 0, side, side),
-                                     access_reach * metre);
+        return {true, walkways_->nodes_near(occupancy_.around(first, clear.front * metre, 0, side, side),
+                                            access_reach * metre)};
     }
 
     /// Where no free node was blocked, only the newest group is in question.
@@ -200,10 +211,10 @@ private:
         if (!walkways_->has_gates()) return true;
         if (!changed) return is_accessible(accesses_.back());
         return std::all_of(accesses_.begin(), accesses_.end(),
-                           [&](const std::vector<std::uint32_t>& nodes) { return is_accessible(nodes); });
+                           [&](const Access& access) { return is_accessible(access); });
     }
-    [[nodiscard]] bool is_accessible(const std::vector<std::uint32_t>& nodes) const {
-        return nodes.empty() || walkways_->some_reached(nodes);
+    [[nodiscard]] bool is_accessible(const Access& access) const {
+        return !access.needed || walkways_->some_reached(access.nodes);
     }
 
     [[nodiscard]] double elevation_of(const ObjectRule& rule, const CatalogueEntry& entry) const {
@@ -311,11 +322,12 @@ private:
     Occupancy occupancy_;
     std::span<const StandingPiece> standing_;
     std::unique_ptr<Walkways> walkways_;
-    std::vector<std::vector<std::uint32_t>> accesses_;  ///< [group]
+    std::vector<Access> accesses_;  ///< [group]
     std::vector<Point> lamp_places_;
     std::vector<Ring> obstacles_;  ///< of the group that is tried
     Occupancy::Mark before_ = {0, 0};
     std::uint32_t groups_ = 0;
+    bool stale_ = false;  ///< what the walkways reached was told of obstacles that are gone
     RoomLayout layout_;
 };
 

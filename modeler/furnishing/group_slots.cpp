@@ -60,16 +60,16 @@ std::vector<GroupPlacer::Slot> GroupPlacer::around(const Body& parent, const Dra
     const double gap = draft.rule->gap / unit + 2, between = 0.08 / unit;
     std::vector<Slot> result;
     if (parent.kind == "round_table") {
-        const double radius = std::max(parent.width, parent.depth) / 2 + gap + depth / 2;
-        // As many as fit side by side, the inner edges being the nearest.
-        const double inner = radius - depth / 2;
+        // As many as fit side by side, their inner edges being the nearest.
+        const double inner = std::max(parent.width, parent.depth) / 2 + gap;
         const double each = 2 * std::asin(std::min(1.0, (width + between) / (2 * inner)));
         const auto count = std::min<std::uint32_t>(draft.count, std::uint32_t(2 * pi / each));
         for (std::uint32_t k = 0; k < count; ++k) {
-            const double turn = 2 * pi * k / count;
-            // At angle 0 the chair stands behind the table, looking the way the table looks.
-            const Point at = beside(parent, radius * std::sin(turn), radius * std::cos(turn));
-            result.push_back({{at, parent.pose.angle - turn}});
+            // At 0 the chair stands behind the table, looking the way the table looks. Boxes may not overlap: between
+            // the sides of the table's box it stands a little further out.
+            const double turn = 2 * pi * k / count, s = std::sin(turn), c = std::cos(turn);
+            const double radius = parent.width / 2 * std::abs(s) + parent.depth / 2 * std::abs(c) + gap + depth / 2;
+            result.push_back({{beside(parent, radius * s, radius * c), parent.pose.angle - turn}});
         }
         return result;
     }
@@ -166,7 +166,10 @@ std::vector<GroupPlacer::Slot> GroupPlacer::opposite(const Body& parent, const D
             const double good = -0.8 * std::abs(aside) - std::abs(share - 0.4) + 0.2 * random_.uniform();
             places.push_back({good, {pose}});
             const auto at_wall = pushed_back(room, pose, {width, depth}, 0, 0.6 / unit);
-            if (at_wall) places.push_back({good + 1, {*at_wall}});
+            if (!at_wall) continue;
+            const double way_there =
+                plans::dot(at_wall->at - parent.pose.at, parent.pose.front()) - (parent.depth + depth) / 2;
+            if (way_there >= least && way_there <= most) places.push_back({good + 1, {*at_wall}});
         }
     std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<Slot> result;

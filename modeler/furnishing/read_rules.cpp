@@ -142,6 +142,7 @@ private:
             refuse(fields.at("needed"), "Only objects that come \"with\" another can be needed by it.");
         rule.near = fields.text("near", "");
         rule.facing = fields.text("facing", "");
+        rule.unless = fields.text("unless", "");
         read_clearance(fields, rule.clearance);
         read_score(fields, rule.score);
         for (const JsonValue& item : fields.list("with")) rule.with.push_back(read_object(item, depth + 1));

@@ -11,8 +11,9 @@ inline constexpr std::string_view rules_list[] = {"format_version", "temperature
 inline constexpr std::string_view kind_list[] = {"kind", "front", "behind", "sides", "one_side", "score"};
 inline constexpr std::string_view room_list[] = {"kind", "names", "objects"};
 inline constexpr std::string_view object_list[] = {
-    "object", "place", "count",  "per_area", "probability", "least_area", "most_area", "gap",      "most_gap", "turned",
-    "needed", "near",  "facing", "front",    "elevation",   "behind",     "sides",     "one_side", "score",    "with"};
+    "object", "place",     "count",  "per_area", "probability", "least_area", "most_area",
+    "gap",    "most_gap",  "turned", "needed",   "near",        "facing",     "unless",
+    "front",  "elevation", "behind", "sides",    "one_side",    "score",      "with"};
 inline constexpr std::string_view score_list[] = {"corner",     "window", "door",   "wall_middle", "centre",
                                                   "open_front", "near",   "facing", "gap"};
 

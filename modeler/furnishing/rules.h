@@ -74,6 +74,7 @@ struct ObjectRule {
     bool needed = false;           ///< of `with`: without it the object does not come either
     std::string near;              ///< a kind whose neighbourhood counts in the score
     std::string facing;            ///< a kind that it looks at
+    std::string unless;            ///< a kind: where such a piece stands already, nothing is asked for
     Clearance clearance;           ///< of the rule, else of the kind
     ScoreWeights score;            ///< of the rule, else of the kind
     std::vector<ObjectRule> with;  ///< what comes with each of them, in this order
