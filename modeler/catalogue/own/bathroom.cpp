@@ -183,7 +183,7 @@ void shower(Shaper& s, const Size& size) {
     // One fixed pane on the right; the way in is in front.
     block(s, {x - 0.018, -y + 0.02, 0.076}, {x - 0.008, y - 0.02, h - 0.08}, glass, 0.001);
     for (const double at : {-y + 0.01, y - 0.015})
-        block(s, {x - 0.025, at - 0.01, 0.072}, {x - 0.001, at + 0.015, h - 0.06}, chrome, 0.003);
+        block(s, {x - 0.025, at - 0.01, 0.072}, {x - 0.001, at + 0.015, h - 0.062}, chrome, 0.003);
     block(s, {x - 0.025, -y, h - 0.08}, {x - 0.001, y, h - 0.06}, chrome, 0.003);
     // Riser, rain head, hand shower, mixer on the back.
     rod(s, {0, y - 0.05, 1.0}, {0, y - 0.05, h - 0.12}, 0.011, 0.011, chrome, 12);

@@ -188,7 +188,7 @@ void vending_machine(Shaper& s, const Size& size) {
         for (int k = 0; k < 6; ++k) {
             const double at = mix(-x + 0.1, right - 0.05, k / 5.0);
             const Paint& paint = *goods[(row * 2 + k + static_cast<int>(random.below(2))) % std::size(goods)];
-            for (int deep = 0; deep < 2; ++deep) {
+            for (int deep = 0; deep < (row < 4 ? 2 : 1); ++deep) {
                 const auto scope = s.inside(move(at, face + 0.1 + 0.09 * deep, z + 0.013));
                 if (row < 2) {  // cans
                     const Vec can[] = {{0, 0, 0},        {0.024, 0, 0},     {0.03, 0, 0.006},

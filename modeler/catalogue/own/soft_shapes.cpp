@@ -31,8 +31,11 @@ void pillow(Shaper& shaper, Vec centre, Vec half, const Paint& paint) {
         for (int k = 0; k < 2 * across; ++k) {
             const double v = -std::cos(pi * k / across), side = k < across ? 1 : -1;
             const double full = std::pow(std::max(0.0, (1 - u * u) * (1 - v * v)), 0.38);
-            const double rim = i == 0 || i == across || k == 0 || k == across ? 0 : 1;
-            ring.push_back(centre + outline(u, v) + Vec{0, 0, side * rim * half.z * full});
+            // The short seams are a little thick: were all corners on one line, both sides would share a triangle
+            // there.
+            const bool is_seam = k == 0 || k == across, is_end = i == 0 || i == across;
+            const double thick = is_seam ? 0 : is_end ? 0.06 : full;
+            ring.push_back(centre + outline(u, v) + Vec{0, 0, side * half.z * thick});
         }
     }
     shaper.skin(rings, paint);

@@ -146,7 +146,8 @@ void wall_shelf(Shaper& s, const Size& size) {
     block(s, {-x, -y, 0.06}, {x, y, 0.085}, oak, 0.003);
     for (const double side : both) {
         block(s, {side * (x - 0.12) - 0.008, y - 0.012, 0}, {side * (x - 0.12) + 0.008, y, 0.06}, iron, 0.002);
-        block(s, {side * (x - 0.12) - 0.008, -y + 0.05, 0.05}, {side * (x - 0.12) + 0.008, y, 0.06}, iron, 0.002);
+        block(s, {side * (x - 0.12) - 0.007, -y + 0.05, 0.05}, {side * (x - 0.12) + 0.007, y - 0.002, 0.0605}, iron,
+              0.002);
     }
     plans::Random random({0x5E1Fu});
     book_row(s, {-x + 0.03, -y + 0.02, 0.085}, 0.08, size.height - 0.09, 2 * y - 0.05, random);

@@ -134,6 +134,16 @@ TEST(OwnPieces, AreClosedAndTurnedOutward) {
     });
 }
 
+TEST(OwnPieces, HaveNoneOfTheDefectsOfFiles) {
+    for_each_mesh([](const OwnPiece&, const ObjectMesh& mesh, std::uint32_t) {
+        const MeshDefects defects = defects_of(mesh);
+        EXPECT_EQ(defects.degenerate, 0u);
+        EXPECT_EQ(defects.duplicate, 0u);
+        EXPECT_EQ(defects.open_edges, 0u);
+        EXPECT_EQ(defects.dropped, 0u);
+    });
+}
+
 TEST(OwnPieces, GetFinerWithDetailWithinWhatIsPromised) {
     std::array<std::size_t, 3> all{};
     for (const OwnPiece& piece : own_pieces()) {
