@@ -84,24 +84,55 @@ ENFILADE_HD ObjectRay to_object(const accel::PlacedObject& object, const Ray<T>&
     return asked;
 }
 
-/// Whether the ray may meet the mesh's box in its part [near, far]; rather yes than no: the box is widened by more than
-/// the roundings of to_object.
+/// What slabs of boxes are tested with.
+struct SlabRay {
+    Vec3f origin_low;   ///< what low planes are measured from
+    Vec3f origin_high;  ///< and high planes
+    Vec3f inverse;      ///< of the direction; of 2^-100 where it is less than that
+};
+
+/// slack: by that much boxes are wider on all sides
+ENFILADE_HD SlabRay slab_ray(Vec3f o, Vec3f d, float slack) {
+    constexpr float least = 0x1p-100f;
+    return {{o.x + slack, o.y + slack, o.z + slack},
+            {o.x - slack, o.y - slack, o.z - slack},
+            {1.0f / (magnitude(d.x) >= least ? d.x : least), 1.0f / (magnitude(d.y) >= least ? d.y : least),
+             1.0f / (magnitude(d.z) >= least ? d.z : least)}};
+}
+
+ENFILADE_HD void cut_by_slab(float low, float high, float inverse, float& enter, float& leave) {
+    const float a = low * inverse, b = high * inverse;
+    const float first = a < b ? a : b, second = a < b ? b : a;
+    enter = first > enter ? first : enter;
+    leave = second < leave ? second : leave;
+}
+
+/// Whether the ray may come through the box in its part [near, far]; rather yes than no: parameters may be wrong by
+/// a few roundings.
+ENFILADE_HD bool may_meet_box(const SlabRay& ray, const float* low, const float* high, float near, float far) {
+    float enter = near, leave = far;
+    cut_by_slab(low[0] - ray.origin_low.x, high[0] - ray.origin_high.x, ray.inverse.x, enter, leave);
+    cut_by_slab(low[1] - ray.origin_low.y, high[1] - ray.origin_high.y, ray.inverse.y, enter, leave);
+    cut_by_slab(low[2] - ray.origin_low.z, high[2] - ray.origin_high.z, ray.inverse.z, enter, leave);
+    return enter <= leave + 0x1p-20f * leave;
+}
+
+/// For the boxes of objects in the scene, which are wider than the objects: by more than the roundings of the origin.
+template <class T>
+ENFILADE_HD SlabRay scene_slabs(const Ray<T>& ray) {
+    const Vec3f o = vec_cast<float>(ray.origin);
+    return slab_ray(o, vec_cast<float>(ray.direction), 0x1p-21f * largest_part(o));
+}
+
+/// Whether the ray may meet the mesh's box, widened by more than the roundings of to_object.
 ENFILADE_HD bool may_meet(const accel::ObjectMesh& mesh, const ObjectRay& ray) {
-    const float o[3] = {ray.origin_x, ray.origin_y, ray.origin_z};
-    const float d[3] = {ray.direction_x, ray.direction_y, ray.direction_z};
-    float farthest = 0;
-    for (int k = 0; k < 3; ++k)
-        farthest = larger(farthest, larger(magnitude(mesh.low[k] - o[k]), magnitude(mesh.high[k] - o[k])));
-    const float slack = 0x1p-20f * farthest;
-    float enter = ray.near, leave = ray.far;
-    for (int k = 0; k < 3; ++k) {
-        const float inverse = 1.0f / (magnitude(d[k]) >= 0x1p-100f ? d[k] : 0x1p-100f);
-        const float a = (mesh.low[k] - (o[k] + slack)) * inverse, b = (mesh.high[k] - (o[k] - slack)) * inverse;
-        const float first = a < b ? a : b, second = a < b ? b : a;
-        enter = first > enter ? first : enter;
-        leave = second < leave ? second : leave;
-    }
-    return enter <= leave;
+    const float *low = reinterpret_cast<const float*>(&mesh.low), *high = reinterpret_cast<const float*>(&mesh.high);
+    const Vec3f o = {ray.origin_x, ray.origin_y, ray.origin_z};
+    const float farthest = larger(larger(larger(magnitude(low[0] - o.x), magnitude(high[0] - o.x)),
+                                         larger(magnitude(low[1] - o.y), magnitude(high[1] - o.y))),
+                                  larger(magnitude(low[2] - o.z), magnitude(high[2] - o.z)));
+    const SlabRay slabs = slab_ray(o, Vec3f{ray.direction_x, ray.direction_y, ray.direction_z}, 0x1p-20f * farthest);
+    return may_meet_box(slabs, low, high, ray.near, ray.far);
 }
 
 /// The normal in the scene of one in the object's space.
@@ -127,16 +158,19 @@ ENFILADE_HD Vec3f object_colour(const accel::SceneView& scene, std::uint32_t obj
 /// Nearest: which triangle stops the ray. Any: whether one does, which costs less.
 enum class ObjectsAsked { Nearest, Any };
 
-/// Asks the objects of a cell, by ascending id, for the nearest triangle of the ray's part [near, far]; of equally near
-/// ones that of the first object stands.
+/// slabs: scene_slabs of the ray. Asks the objects of a cell, by ascending id, for the nearest triangle of the ray's
+/// part [near, far]; of equally near ones that of the first object stands.
 template <ObjectsAsked asked_for, class Inside, class T>
 ENFILADE_HD bool meets_objects(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
-                               std::uint32_t cell, float near, float far, ObjectHit<T>& hit) {
+                               const SlabRay& slabs, std::uint32_t cell, float near, float far, ObjectHit<T>& hit) {
     bool is_hit = false;
     const std::uint32_t end = scene.cell_object_offsets[cell + 1];
     for (std::uint32_t k = scene.cell_object_offsets[cell]; k < end; ++k) {
         const auto id = static_cast<std::uint32_t>(scene.cell_objects[k]);
         const accel::PlacedObject& object = scene.objects[id];
+        if (!may_meet_box(slabs, reinterpret_cast<const float*>(&object.low),
+                          reinterpret_cast<const float*>(&object.high), near, far))
+            continue;
         ObjectRay asked = to_object(object, ray, near, far);
         if (!may_meet(scene.meshes[static_cast<std::uint32_t>(object.mesh)], asked)) continue;
         if constexpr (asked_for == ObjectsAsked::Any) {
@@ -191,6 +225,7 @@ ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const In
                                          Events& events, ObjectHit<T>& hit) {
     WalkEnd<T> end;
     events.began_walk();
+    const SlabRay slabs = scene_slabs(ray);
     std::uint32_t entry = no_section, entry_next = no_section;
     const std::uint64_t turn_back = scene.cells.count + 16;
     for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
@@ -210,7 +245,7 @@ ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const In
         }
         if (is_furnished) {
             const float to = is_last ? part.far : stretch_end(static_cast<float>(parameter(scene, ray, end)), part.far);
-            if (meets_objects<asked_for>(scene, inside, ray, cell, from, to, hit)) {
+            if (meets_objects<asked_for>(scene, inside, ray, slabs, cell, from, to, hit)) {
                 end.status = WalkStatus::Object;
                 return end;
             }

@@ -103,7 +103,8 @@ bool sees(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, s
     if constexpr (Rooms::are_furnished) {
         ObjectHit<float> hit;
         if (cell == to_cell)
-            return !meets_objects<ObjectsAsked::Any>(scene, rooms.objects, ray, cell, part.near, part.far, hit);
+            return !meets_objects<ObjectsAsked::Any>(scene, rooms.objects, ray, scene_slabs(ray), cell, part.near,
+                                                     part.far, hit);
     }
     Vec3f throughput = {1, 1, 1};
     return rooms.look_for_any(scene, ray, cell, ToPoint<float>{t, to_cell}, part, throughput, events).status ==
