@@ -117,39 +117,45 @@ private:
         Candidate candidate;
     };
 
+    /// A place where some of the group fits.
+    struct Found {
+        std::size_t entry = 0;  ///< into Draft::tries
+        Pose pose;
+        std::uint64_t key = 0;
+        std::uint32_t placed = 0;
+    };
+
     /// Of the best or luckiest places the first at which all of the group fits, or else the one with most of it.
+    /// Entries that come later in the rule have to fit better by more than one piece.
     bool place(const Draft& group, std::uint32_t number, std::uint64_t key) {
         const std::uint32_t wanted = group.pieces_each();
+        Found best;
         for (std::size_t t = 0; t < group.tries.size(); ++t) {
             const CatalogueEntry& entry = *group.tries[t];
             const std::vector<Scored> places = drawn_places(*group.rule, entry, number, key + t);
-            const double elevation = elevation_of(*group.rule, entry);
-            const bool hangs = group.rule->place == Relation::OnWall || group.rule->place == Relation::Ceiling;
-            std::uint32_t most = 0;
-            std::size_t best = 0, tried = 0, refused = 0;
+            std::size_t tried = 0, refused = 0;
             for (std::size_t k = 0; k < places.size() && tried < most_tries && refused < most_refused; ++k) {
-                const std::uint32_t placed = try_at(group, entry, places[k].candidate.pose, elevation, hangs, key + k);
-                if (placed == wanted) return true;
-                refused += placed == refused_way;
-                if (placed == 0 || placed == refused_way) continue;
+                const Found here{t, places[k].candidate.pose, key + k,
+                                 try_at(group, t, places[k].candidate.pose, key + k)};
+                const std::uint32_t handicap = best.placed > 0 && best.entry != t ? 1 : 0;
+                if (here.placed == wanted && (best.placed == 0 || wanted > best.placed + handicap)) return true;
+                refused += here.placed == refused_way;
+                if (here.placed == 0 || here.placed == refused_way) continue;
                 ++tried;
-                if (placed > most) {
-                    most = placed;
-                    best = k;
-                }
+                if (here.placed > best.placed + handicap) best = here;
                 take_back();
             }
-            if (most == 0) continue;
-            return try_at(group, entry, places[best].candidate.pose, elevation, hangs, key + best) != 0;
         }
-        return false;
+        return best.placed > 0 && try_at(group, best.entry, best.pose, best.key) != 0;
     }
 
     static constexpr std::uint32_t refused_way = UINT32_MAX;
 
     /// Pieces placed; 0 where the first finds no place; `refused_way` where a way would be closed.
-    std::uint32_t try_at(const Draft& group, const CatalogueEntry& entry, const Pose& pose, double elevation,
-                         bool hangs, std::uint64_t key) {
+    std::uint32_t try_at(const Draft& group, std::size_t entry_number, const Pose& pose, std::uint64_t key) {
+        const CatalogueEntry& entry = *group.tries[entry_number];
+        const double elevation = elevation_of(*group.rule, entry);
+        const bool hangs = group.rule->place == Relation::OnWall || group.rule->place == Relation::Ceiling;
         before_ = occupancy_.mark();
         const std::uint32_t number = groups_ + 1;
         const std::uint32_t placed = GroupPlacer(occupancy_, number, key).place(group, entry, pose, elevation, hangs);

@@ -112,7 +112,8 @@ bool GroupPlacer::place_with(std::uint32_t parent, const std::vector<Draft>& dra
                 if (done > 0) break;  // all of one kind
             }
         }
-        if (done == 0 && draft.rule->needed) return false;
+        // A table for six with one chair is no table for six.
+        if (2 * done < draft.count && draft.rule->needed) return false;
     }
     return true;
 }

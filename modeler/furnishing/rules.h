@@ -71,7 +71,7 @@ struct ObjectRule {
     double most_gap = 0;           ///< Opposite: up to this distance
     double elevation = -1;         ///< of its bottom above the floor; below 0: as its catalogue entry says
     bool turned = false;           ///< its front to the wall, or away from what it relates to
-    bool needed = false;           ///< of `with`: without it the object does not come either
+    bool needed = false;           ///< of `with`: without half of them the object does not come either
     std::string near;              ///< a kind whose neighbourhood counts in the score
     std::string facing;            ///< a kind that it looks at
     std::string unless;            ///< a kind: where such a piece stands already, nothing is asked for
