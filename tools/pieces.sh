@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tools/pieces.sh [BUILD]: draws docs/furniture.png anew, all pieces of our own in one picture, and writes their sizes and
-# triangles into docs/furniture.md. BUILD: a build folder (build/release).
+# tools/pieces.sh [BUILD]: draws docs/furniture.png anew, all pieces of our own in one picture, and writes their sizes
+# and triangles into docs/furniture.md. BUILD: a build folder (build/release).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/release}

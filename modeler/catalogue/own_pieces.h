@@ -13,7 +13,7 @@ namespace enfilade::modeler {
 /// A piece that this program makes itself.
 struct OwnPiece {
     CatalogueEntry entry;                                ///< without triangles and defects, which depend on the detail
-    ObjectMesh (*make)(std::uint32_t detail) = nullptr;  ///< at the size that the entry states
+    ObjectMesh (*make)(std::uint32_t detail) = nullptr;  ///< 1 to 8; at the size that the entry states
 };
 
 /// By ascending id.

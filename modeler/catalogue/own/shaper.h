@@ -19,13 +19,12 @@ enum class Ends { Capped, Looped };  ///< flat lids over the first and the last 
 
 class Shaper {
 public:
-    /// `detail` is taken as 1 ... `most_detail`.
+    /// `detail` below 1 is taken as 1, above `most_detail` as that.
     explicit Shaper(std::uint32_t detail);
 
     static constexpr std::uint32_t most_detail = 8;
     [[nodiscard]] int detail() const { return detail_; }
-    /// How many parts something has that is made of `plain` parts at detail 1: 1.6 times as many with each... half
-    /// step: 1, 1.6, 2.2, 2.8 times.
+    /// How many parts something has that is made of `plain` parts at detail 1: 1, 1.6, 2.2, 2.8 ... times as many.
     [[nodiscard]] int fine(int plain) const;
 
     /// What is shaped during the life of a Scope stands in its pose; scopes nest.
