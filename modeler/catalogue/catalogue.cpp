@@ -81,7 +81,7 @@ struct Catalogue::State {
         for (CatalogueRecord& record : index.records) {
             CatalogueEntry entry = std::move(record.entry);
             if (by_id.contains(entry.id)) entry.id = title + "/" + entry.id;
-            record.entry = {.id = entry.id, .name = entry.name};
+            record.entry = {.id = entry.id, .name = entry.name, .triangles = entry.triangles};
             added.push_back(std::move(entry));
             added_origins.push_back({source, std::move(record), nullptr});
         }
@@ -96,6 +96,7 @@ struct Catalogue::State {
     }
 
     [[nodiscard]] LoadedMesh read(const Origin& origin) const {
+        if (origin.record.entry.triangles == 0) return {.mesh = {.name = origin.record.entry.name}};
         const Source& source = sources[origin.source];
         const CacheKey key = mesh_key(source.key, origin.record, options.object_triangles);
         if (options.use_cache)

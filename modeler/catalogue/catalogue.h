@@ -26,7 +26,7 @@ struct CatalogueEntry {
     double height = 1;
     double elevation = 0;         ///< of its bottom above the floor, where it is made to hang or to stand on something
     std::optional<double> top;    ///< where other things may stand on it, above its bottom
-    std::uint32_t triangles = 0;  ///< before it is decimated
+    std::uint32_t triangles = 0;  ///< before it is decimated; 0 (of homes alone): there is nothing to see
     MeshDefects defects;
     std::string source;   ///< the library or folder
     std::string creator;  ///< may be empty

@@ -23,6 +23,9 @@ struct Traits : OpenMesh::DefaultTraits {
     EdgeAttributes(OpenMesh::Attributes::Status);
     FaceAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Status);
 };
+/// Of the box's diagonal: how far a rim may move in one step.
+constexpr double rim_share = 0.0005;
+
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
 /// Keeps the rims of open sheets: quadrics see no difference between a table top and half of it.
@@ -54,6 +57,20 @@ private:
 };
 
 using Decimater = OpenMesh::Decimater::DecimaterT<TriMesh>;
+
+/// Triangles with two corners at one vertex are seen from nowhere; without them the rest may be a manifold.
+ObjectMesh without_collapsed(ObjectMesh mesh) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [a, b, c] = mesh.triangles[t];
+        if (a == b || b == c || c == a) continue;
+        mesh.triangle_materials[kept] = mesh.triangle_materials[t];
+        mesh.triangles[kept++] = {a, b, c};
+    }
+    mesh.triangles.resize(kept);
+    mesh.triangle_materials.resize(kept);
+    return mesh;
+}
 
 /// OpenMesh complains on the terminal about what is no manifold: it is asked only for what it can take.
 std::string fill(const ObjectMesh& from, TriMesh& to, OpenMesh::FPropHandleT<std::uint32_t> material) {
@@ -118,7 +135,7 @@ LoadedMesh decimated(ObjectMesh mesh, std::uint32_t triangles) {
     TriMesh work;
     OpenMesh::FPropHandleT<std::uint32_t> material;
     work.add_property(material);
-    loaded.refused = fill(mesh, work, material);
+    loaded.refused = fill(without_collapsed(mesh), work, material);
     if (!loaded.refused.empty()) {
         loaded.mesh = std::move(mesh);
         return loaded;
@@ -135,7 +152,7 @@ LoadedMesh decimated(ObjectMesh mesh, std::uint32_t triangles) {
     decimater.module(quadric).unset_max_err();
     decimater.module(flipping).set_max_normal_deviation(80);
     const MeshBox box = box_of(mesh);
-    decimater.module(rim).set_limit(0.005 * std::hypot(box.side(0), box.side(1), box.side(2)));
+    decimater.module(rim).set_limit(rim_share * std::hypot(box.side(0), box.side(1), box.side(2)));
     decimater.initialize();
     decimater.decimate_to_faces(0, triangles);
     ObjectMesh reduced = taken_back(work, material, mesh);

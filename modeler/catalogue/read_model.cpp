@@ -94,7 +94,9 @@ RawMesh read_model(const FileTree& files, const std::string& name, ReadImages im
         throw InputError("K107", files.title(), error.line, error.column,
                          "The model " + name + " cannot be used: " + error.what());
     }
-    if (mesh.triangles.empty()) refuse(files, name, why_empty(mesh));
+    if (mesh.triangles.empty())
+        throw InputError(mesh.dropped > 0 ? "K107" : "K109", files.title(),
+                         "The model " + name + " cannot be used: " + why_empty(mesh));
     return mesh;
 }
 

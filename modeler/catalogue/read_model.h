@@ -13,7 +13,8 @@ enum class ReadImages : bool { No, Yes };
 
 /// The model of that name: OBJ with its materials, OFF, PLY, STL (modeler/meshes), glTF, GLB (assimp), or the first of
 /// them inside a zip archive of that name. With `ReadImages::Yes`, materials with a texture take its mean colour.
-/// \throws InputError K107 where there is no triangle to be had from it, K103 where its archive is damaged
+/// \throws InputError K109 where it has no triangle, K107 where it is no model that is read, K103 where its archive is
+/// damaged
 [[nodiscard]] RawMesh read_model(const FileTree& files, const std::string& name, ReadImages images);
 
 /// Whether a file of that name may be a model of a kind that is read, by its extension.

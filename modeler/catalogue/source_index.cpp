@@ -23,6 +23,7 @@ struct ModelVerdict {
     double unit_guessed = 0;
     bool odd_size = false;
     bool lacks_materials = false;
+    bool unseen = false;  ///< of a home: there is nothing to see, and that may be meant
 };
 
 std::string size_text(const CatalogueEntry& entry) {
@@ -58,7 +59,7 @@ void tell_kind(CatalogueRecord& record) {
     if (entry.top && !(*entry.top > 0 && *entry.top <= entry.height * (1 + 1e-9))) entry.top.reset();
 }
 
-ModelVerdict examine(const FileTree& files, CatalogueRecord& record) {
+ModelVerdict examine(const FileTree& files, CatalogueRecord& record, bool may_be_unseen) {
     ModelVerdict verdict;
     CatalogueEntry& entry = record.entry;
     try {
@@ -70,10 +71,9 @@ ModelVerdict examine(const FileTree& files, CatalogueRecord& record) {
         }
         if (record.fitting.size) complete_size(record.fitting, natural);
         const ObjectMesh mesh = fitted(raw, record.fitting, entry.name);
-        if (mesh.triangles.empty()) {
-            verdict.refused = "The model " + record.model + " cannot be used: all of it is invisible.";
-            return verdict;
-        }
+        if (mesh.triangles.empty())
+            throw InputError("K109", files.title(),
+                             "The model " + record.model + " cannot be used: all of it is invisible.");
         const MeshBox box = box_of(mesh);
         entry.width = box.side(0);
         entry.depth = box.side(1);
@@ -86,7 +86,9 @@ ModelVerdict examine(const FileTree& files, CatalogueRecord& record) {
         verdict.lacks_materials = raw.lacks_materials;
         tell_kind(record);
     } catch (const InputError& error) {
-        verdict.refused = error.what();
+        // Sources of light have models without a face, and people make stairs invisible.
+        verdict.unseen = may_be_unseen && error.code == "K109";
+        if (!verdict.unseen) verdict.refused = error.what();
     }
     return verdict;
 }
@@ -128,7 +130,8 @@ void report_sizes(const std::string& title, const std::vector<CatalogueRecord>& 
 /// One finding for all models with a defect of a kind: libraries have hundreds.
 void report_defects(const std::string& title, const std::vector<CatalogueRecord>& records,
                     const std::vector<ModelVerdict>& verdicts, SourceIndex& index) {
-    std::size_t dropped = 0, dropping = 0, flat = 0, twice = 0, crowded = 0, colourless = 0, without_size = 0;
+    std::size_t dropped = 0, dropping = 0, flat = 0, twice = 0, crowded = 0, colourless = 0, without_size = 0,
+                unseen = 0;
     for (std::size_t k = 0; k < records.size(); ++k) {
         if (!verdicts[k].refused.empty()) continue;
         const MeshDefects& defects = records[k].entry.defects;
@@ -138,6 +141,7 @@ void report_defects(const std::string& title, const std::vector<CatalogueRecord>
         twice += defects.duplicate > 0;
         crowded += defects.crowded_edges > 0;
         colourless += verdicts[k].lacks_materials;
+        unseen += verdicts[k].unseen;
         without_size += index.kind == SourceKind::Library && !records[k].fitting.size;
     }
     // "12 models have", "1 model has"
@@ -158,6 +162,7 @@ void report_defects(const std::string& title, const std::vector<CatalogueRecord>
     say(crowded, "K155", Severity::Note, "have", "edges of three triangles or more; they are kept.", "");
     say(colourless, "K156", Severity::Note, "name",
         "materials that no file describes; a colour is taken by the name, or grey.", "");
+    say(unseen, "K159", Severity::Note, "have", "nothing that can be seen; so have the pieces that use them.", "");
     say(without_size, "K152", Severity::Warning, "have",
         "no width, depth and height; the size of the file is taken, in centimetres.",
         "Add their sizes with Sweet Home 3D's Furniture Library Editor.");
@@ -247,7 +252,8 @@ SourceIndex read_source(const std::filesystem::path& path, const accel::Executor
     std::vector<ModelVerdict> verdicts(records.size());
     accel::parallel_for(executor, records.size(), models_a_chunk, [&](std::size_t begin, std::size_t end) {
         const auto own = open_source(path, index.kind);  // libzip reads one entry at a time
-        for (std::size_t k = begin; k < end; ++k) verdicts[k] = examine(*own, records[k]);
+        for (std::size_t k = begin; k < end; ++k)
+            verdicts[k] = examine(*own, records[k], index.kind == SourceKind::Home);
     });
     report_refusals(title, records, verdicts, index);
     report_sizes(title, records, verdicts, index);
