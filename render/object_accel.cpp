@@ -89,8 +89,9 @@ private:
 
 std::unique_ptr<ObjectAccel> build_object_accel(const accel::SceneView& scene, ObjectAccelKind kind,
                                                 const accel::Executor& executor) {
+    // Objects that no cell lists are never asked.
     std::vector<bool> used(scene.meshes.size(), false);
-    for (const accel::PlacedObject& object : scene.objects) used[index(object.mesh)] = true;
+    for (const accel::ObjectId object : scene.cell_objects) used[index(scene.objects[index(object)].mesh)] = true;
 #if defined(ENFILADE_HAS_EMBREE)
     if (kind == ObjectAccelKind::Bvh) return detail::build_embree_objects(scene, used, executor);
 #else

@@ -138,6 +138,22 @@ TEST_P(ObjectAccelTest, KeepsToTheInterval) {
     EXPECT_EQ(met_at(3, 1), -1);
 }
 
+TEST_P(ObjectAccelTest, TakesNothingForWhatNoCellLists) {
+    const accel::Scene scene = test::room_of_meshes({test::ball_mesh(40, 1), test::box_mesh({-1, -1, -1}, {1, 1, 1})});
+    accel::SceneView view = scene.view();
+    const std::vector<accel::ObjectId> listed = {accel::ObjectId{1}};
+    view.cell_objects = {listed.data(), listed.size()};
+    const auto built = build_object_accel(view, GetParam(), *make_executor());
+    EXPECT_LT(built->bytes(), 4000u);
+    EXPECT_GT(build(scene)->bytes(), 100000u);
+    const ObjectTracer tracer = built->tracer();
+    for (const std::uint32_t mesh : {0u, 1u}) {
+        ObjectRay ray = object_ray({0.1, 0.2, 3}, {0, 0, -1}, 0, 10);
+        tracer.nearest(tracer.state, MeshId{mesh}, ray);
+        EXPECT_EQ(ray.triangle != no_triangle, mesh == 1);
+    }
+}
+
 TEST_P(ObjectAccelTest, NeverHitsWhatHasNoArea) {
     const accel::Scene scene =
         test::room_of_meshes({test::soup({{{{-1, -1, 0}, {1, 1, 0}, {0, 0, 0}}},
