@@ -73,6 +73,15 @@ std::optional<std::uint32_t> cell_at(const accel::SceneView& view, const SceneDi
         case accel::SectionKind::LocatorCells:
             if (i < view.locator_cells.size()) return std::uint32_t(index(view.locator_cells[i]));
             return std::nullopt;
+        case accel::SectionKind::Objects:
+            if (i < view.objects.size()) return cell_of_space(view.objects[i].space);
+            return std::nullopt;
+        case accel::SectionKind::CellObjectOffsets:
+            return i < view.cells.size() ? std::optional(std::uint32_t(i)) : std::nullopt;
+        case accel::SectionKind::CellObjects:
+            for (std::uint32_t c = 0; c < view.cells.size() && view.has_objects(); ++c)
+                if (i < view.cell_object_offsets[c + 1]) return c;
+            return std::nullopt;
         default: return std::nullopt;
     }
 }
@@ -84,6 +93,12 @@ Finding finding_of(const Building& building, const accel::Scene& again, const Sc
         const std::uint32_t volume = again.view().cells[*cell].volume;
         place_at_volume(building, volume, finding);
         finding.sentence += ", of " + title(building.spaces[building.volumes[volume].space]);
+    }
+    const bool is_object = accel::SectionKind(difference.array_id) == accel::SectionKind::Objects;
+    if (is_object && difference.index && *difference.index < again.view().objects.size()) {
+        const accel::PlacedObject& object = again.view().objects[*difference.index];
+        finding.elements.push_back(
+            {"object", std::string(again.view().string(object.id)), std::string(again.view().string(object.name))});
     }
     finding.sentence += '.';
     return finding;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <cstddef>
 
 #include "accel/assemble.h"
 #include "accel/locate.h"
@@ -15,6 +15,7 @@
 #include "modeler/export_scene.h"
 #include "modeler/model_group.h"
 #include "plans/random.h"
+#include "tests/support/changed_scene.h"
 #include "tests/support/furnished_scenes.h"
 
 namespace enfilade::modeler {
@@ -112,6 +113,55 @@ TEST(PutObjects, AFileReadBackExportsTheSameBytes) {
         const Certification certification = certify(scene);
         EXPECT_EQ(certification.verdict, "certified");
     }
+}
+
+TEST(PutObjects, AModelThatDoesNotFitItsSceneIsRefused) {
+    const Building building = test::furnished(test::house(FurnishedHouse::Townhouse), 5, 20, ObjectCells::List);
+    const accel::Scene scene = export_scene(building, check(building), "{}");
+    const auto code_with = [&](const std::string& from, const std::string& to) -> std::string {
+        EXPECT_EQ(from.size(), to.size());
+        const accel::Scene damaged = testing::changed(scene, "m.objects", [&](std::byte* bytes, std::size_t size) {
+            std::string text(reinterpret_cast<const char*>(bytes), size);
+            const std::size_t at = text.find(from);
+            ASSERT_NE(at, std::string::npos) << from;
+            text.replace(at, from.size(), to);
+            std::copy(text.begin(), text.end(), reinterpret_cast<char*>(bytes));
+        });
+        try {
+            (void)read_model(damaged);
+            return "";
+        } catch (const InputError& error) {
+            return error.code;
+        }
+    };
+    EXPECT_EQ(code_with("\"Object 3\"", "\"Object 4\""), "");
+    EXPECT_EQ(code_with("\"mesh\":0", "\"mesh\":9"), "F20");
+    EXPECT_EQ(code_with("\"mesh\":0", "\"mash\":0"), "F20");
+    EXPECT_EQ(code_with("object-000003", "object-000002"), "F20");
+    EXPECT_EQ(code_with("\"size\":[0", "\"size\":[-"), "F20");
+    EXPECT_EQ(code_with("\"objects\":[", "\"objects\":{"), "F20");
+    EXPECT_EQ(code_with("\"position\":[", "\"position\":1"), "F20");
+    EXPECT_EQ(code_with("\"angle\":", "\"angle\" "), "F20");
+}
+
+TEST(PutObjects, AnObjectThatIsNotItsModelsIsFoundByD3) {
+    const Building building = test::furnished(test::house(FurnishedHouse::Townhouse), 5, 20, ObjectCells::List);
+    const accel::Scene scene = export_scene(building, check(building), "{}");
+    const auto verdict_with = [&](const char* array, std::size_t byte) -> std::string {
+        try {
+            return certify(testing::changed(scene, array,
+                                            [&](std::byte* bytes, std::size_t) { bytes[byte] ^= std::byte{1}; }))
+                .verdict;
+        } catch (const InputError& error) {
+            return "differs at once: " + error.code;
+        }
+    };
+    EXPECT_EQ(verdict_with("objects", 3 * sizeof(accel::PlacedObject) + offsetof(accel::PlacedObject, name)),
+              "differs at objects[3]");
+    EXPECT_EQ(verdict_with("cell_objects", 0).substr(0, 10), "differs at");
+    // Meshes are read back from the file itself: the certificate knows them.
+    EXPECT_NE(verdict_with("mesh_triangles", offsetof(accel::MeshTriangle, material)), "certified");
+    EXPECT_NE(verdict_with("mesh_vertices", 4), "certified");
 }
 
 TEST(PutObjects, AFurnishedBuildingIsAsSoundAsItWas) {
