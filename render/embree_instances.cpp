@@ -181,7 +181,9 @@ struct EmbreeInstances::State {
             }
             triangles = std::make_unique<FurnishedWorld>(device.get(), scene, EmbreeFaces::Triangles, objects, meshes);
         }
-        quads = std::make_unique<FurnishedWorld>(device.get(), scene, EmbreeFaces::Quads, objects, meshes);
+        // Of triangles alone, the flattened scene is one structure.
+        const EmbreeFaces last = is_flat ? EmbreeFaces::Triangles : EmbreeFaces::Quads;
+        quads = std::make_unique<FurnishedWorld>(device.get(), scene, last, objects, meshes);
         device.require_success();
     }
     [[nodiscard]] detail::EmbreeScene asked(EmbreeWay way) const {

@@ -24,8 +24,8 @@ enum class EmbreeObjects {
 /// walls. Glass is no obstacle to it.
 class EmbreeInstances {
 public:
-    /// Builds on all cores one scene whose faces are triangles, and one whose faces are quads; Flattened: the latter
-    /// alone. The view's memory may go. \throws IoError if Embree fails
+    /// Builds on all cores one scene whose faces are triangles, and one whose faces are quads; Flattened: of
+    /// triangles alone. The view's memory may go. \throws IoError if Embree fails
     EmbreeInstances(const accel::SceneView& scene, EmbreeObjects objects);
     ~EmbreeInstances();
     EmbreeInstances(EmbreeInstances&&) noexcept;

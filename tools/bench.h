@@ -148,6 +148,8 @@ void bench_check(Bench& bench);
 void bench_convexify(Bench& bench);
 void bench_dial(Bench& bench);
 void bench_edit(Bench& bench);
+void bench_furnished(Bench& bench);
+void bench_furniture(Bench& bench);
 void bench_gmap(Bench& bench);
 void bench_queries(Bench& bench);
 void bench_scene(Bench& bench);

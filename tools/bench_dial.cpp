@@ -183,6 +183,7 @@ void bench_dial(Bench& bench) {
     dial_sagitta(bench, plan, name, rays);
     dial_convexify(bench, plan, name, rays);
     dial_tracers(bench, build_scene(plan, {}).scene.view(), name);
+    dial_objects(bench);
 }
 
 }  // namespace enfilade::tools

@@ -11,4 +11,8 @@ namespace enfilade::tools {
 /// Rows for --real, --tracer and the sizes of packets: speed, and errors against the oracle or the scalar picture.
 void dial_tracers(Bench& bench, const accel::SceneView& scene, const std::string& name);
 
+/// Rows for --detail, --object-triangles, --objects, --object-accel and the scope of furnishing: time, memory, speed,
+/// and pixels unlike those of the finest value (bench_dial_objects.cpp).
+void dial_objects(Bench& bench);
+
 }  // namespace enfilade::tools

@@ -27,6 +27,8 @@ constexpr std::array entries = {
     Entry{"convexify", "the ways to cut rooms into cells: how few, how fast, and what rays make of them",
           bench_convexify},
     Entry{"edit", "boxes put into rooms, against building all again", bench_edit},
+    Entry{"furniture", "objects placed by rule: time, guarantees, and how much finds a place", bench_furniture},
+    Entry{"furnished", "tracing furnished floors, against Embree's instances on the same rays", bench_furnished},
     Entry{"dial", "what each option costs in time and memory, and what it errs", bench_dial},
 };
 

@@ -11,9 +11,17 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
-NAMED_ROW = re.compile(r"(convexify|real|tracer) (\S+): (.+)")
+NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope) (\S+): (.+)")
 PACKET_ROW = re.compile(r"packet (\d+) to (\d+): speed")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
+# What furniture's options cost: their first panel's quantity, its label, and the panel's title.
+FURNITURE = {
+    "detail": ("other pixels", "unlike detail 4 (per million)", "detail of own pieces"),
+    "object-triangles": ("surface moved at most", "surface moved (mm)", "triangles a mesh"),
+    "objects": ("speed", "pictures (Mrays/s)", "how cells know objects"),
+    "object-accel": ("speed", "pictures (Mrays/s)", "inside objects"),
+    "scope": ("rooms", "rooms furnished", "what is furnished"),
+}
 CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
 
@@ -74,13 +82,26 @@ def draw_tracing(panels, named_bars, sizes):
         packet.grid(True, which="both", alpha=0.3)
 
 
+def draw_furniture(axes, named_bars):
+    """A column of panels for each option of furniture: what it errs or gains, time and memory."""
+    found = [option for option in FURNITURE if option in named_bars]
+    for (first, time, memory), option in zip(axes.T, found):
+        quantity, label, title = FURNITURE[option]
+        draw_bars(first, named_bars[option][quantity], label)
+        first.set(title=title)
+        has_structure_only = option == "object-accel"
+        draw_bars(time, named_bars[option]["time"], "structure (ms)" if has_structure_only else "to scene (ms)", 1000)
+        draw_bars(memory, named_bars[option]["memory"], "structure (MB)" if has_structure_only else "scene (MB)")
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = json.load(file)["rows"]
     options, named_bars, sizes = curves(rows), bars(rows), packets(rows)
     ways = named_bars.get("convexify")
     tracing = {"real", "tracer"} & set(named_bars) or sizes
-    columns = len(options) + bool(ways) + bool(tracing)
+    furniture = sum(option in named_bars for option in FURNITURE)
+    columns = len(options) + bool(ways) + bool(tracing) + furniture
     figure, axes = pyplot.subplots(3, columns, figsize=(4.6 * columns, 8), layout="constrained", squeeze=False)
     for (error, time, memory), (option, named) in zip(axes.T, options.items()):
         for name, legend in CURVES:
@@ -102,7 +123,9 @@ def main():
         draw_bars(time, ways["time"], "plan to scene (ms)", 1000)
         draw_bars(memory, ways["memory"], "scene (MB)")
     if tracing:
-        draw_tracing(axes[:, -1], named_bars, sizes)
+        draw_tracing(axes[:, len(options) + bool(ways)], named_bars, sizes)
+    if furniture:
+        draw_furniture(axes[:, -furniture:], named_bars)
     figure.savefig(sys.argv[2], metadata={"Date": None})
 
 

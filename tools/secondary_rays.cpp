@@ -46,31 +46,57 @@ void append(PointColumns& points, Vec3f p, accel::CellId cell) {
     points.cell.push_back(cell);
 }
 
+/// The unit normal of an object's triangle, on either side.
+Vec3d object_normal(const accel::SceneView& scene, accel::ObjectId id, std::uint32_t triangle) {
+    const accel::PlacedObject& object = scene.objects[index(id)];
+    const accel::ObjectMesh& mesh = scene.meshes[index(object.mesh)];
+    const auto corner = [&](std::size_t k) {
+        const std::uint32_t vertex = scene.mesh_triangles[mesh.first_triangle + triangle].corners[k];
+        const accel::Vertex& v = scene.mesh_vertices[mesh.first_vertex + vertex];
+        const auto row = [&](std::size_t r) {
+            const float* m = object.scene_from_object.rows.data() + 4 * r;
+            return double(m[0]) * v.x + double(m[1]) * v.y + double(m[2]) * v.z;
+        };
+        return Vec3d{row(0), row(1), row(2)};
+    };
+    return normalized(cross(corner(1) - corner(0), corner(2) - corner(0)));
+}
+
 }  // namespace
 
 SurfacePoints seen_points(const accel::SceneView& scene, const std::vector<PreparedView>& views, int side,
-                          int tile_step) {
+                          int tile_step, const render::ObjectTracer* objects) {
     const OwnedRays rays = camera_rays(views, side, tile_step);
     std::vector<float> distance(rays.size());
     std::vector<accel::SourceFaceId> face(rays.size());
     std::vector<accel::CellId> cell(rays.size());
     std::vector<render::WalkStatus> status(rays.size());
-    render::nearest(scene, rays.view(), {distance, face, cell, status}, {.tracer = render::Tracer::Scalar});
+    std::vector<accel::ObjectId> object(rays.size());
+    std::vector<std::uint32_t> triangle(rays.size());
+    render::nearest(scene, rays.view(), {distance, face, cell, status, object, triangle},
+                    {.tracer = render::Tracer::Scalar, .objects = objects});
     const render::Oracle oracle(scene);
     SurfacePoints seen;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (status[i] != render::WalkStatus::Hit || scene.source_faces[index(face[i])].surface == accel::Surface::Sky)
+        const bool is_object = status[i] == render::WalkStatus::Object;
+        if (!is_object &&
+            (status[i] != render::WalkStatus::Hit || scene.source_faces[index(face[i])].surface == accel::Surface::Sky))
             continue;
         const Vec3d direction = {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]};
         const Vec3d origin = {rays.origins.x[i], rays.origins.y[i], rays.origins.z[i]};
-        Vec3f point = render::vec_cast<float>(origin + double(distance[i]) / length(direction) * direction);
+        Vec3d normal = is_object ? object_normal(scene, object[i], triangle[i]) : oracle.normal(face[i]);
+        Vec3d there = origin + double(distance[i]) / length(direction) * direction;
+        if (is_object) {
+            if (dot(normal, direction) > 0) normal = -1.0 * normal;
+            there = there + 1e-3 * normal;
+        }
+        Vec3f point = render::vec_cast<float>(there);
         const accel::Cell& end = scene.cells[index(cell[i])];
         point.z = std::clamp(point.z, end.z_floor, end.z_ceiling);
         append(seen.points, point, cell[i]);
-        const Vec3f normal = render::vec_cast<float>(oracle.normal(face[i]));
-        seen.normal_x.push_back(normal.x);
-        seen.normal_y.push_back(normal.y);
-        seen.normal_z.push_back(normal.z);
+        seen.normal_x.push_back(float(normal.x));
+        seen.normal_y.push_back(float(normal.y));
+        seen.normal_z.push_back(float(normal.z));
     }
     return seen;
 }

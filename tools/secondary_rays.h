@@ -23,9 +23,10 @@ struct SurfacePoints {
 };
 
 /// What every `tile_step`-th tile of 64 x 64 pixels of each view sees, in blocks of 4 x 4 pixels: whoever traces 16
-/// rays at once finds neighbours together. Sky is left out. side: pixels, a multiple of 64
+/// rays at once finds neighbours together. Sky is left out. side: pixels, a multiple of 64. objects: if given, what
+/// stands in rooms is seen, too; points on objects lie a millimetre before them, on the side that is seen
 [[nodiscard]] SurfacePoints seen_points(const accel::SceneView& scene, const std::vector<PreparedView>& views, int side,
-                                        int tile_step);
+                                        int tile_step, const render::ObjectTracer* objects = nullptr);
 
 /// Rays that own their columns.
 struct OwnedRays {
