@@ -28,10 +28,10 @@ TEST(Findings, AreAllInTheTableAndNoOthers) {
     for (const char* folder : {"plans", "modeler"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
             if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
-            used.merge(codes_in(text_of(entry.path()), std::regex("\"(P[0-9]{3})\"")));
+            used.merge(codes_in(text_of(entry.path()), std::regex("\"([KP][0-9]{3})\"")));
         }
     const std::set<std::string> listed =
-        codes_in(text_of(root / "docs" / "findings.md"), std::regex("\n\\| (P[0-9]{3}) \\|"));
+        codes_in(text_of(root / "docs" / "findings.md"), std::regex("\n\\| ([KP][0-9]{3}) \\|"));
     ASSERT_GT(used.size(), 60u);
     for (const std::string& code : used)
         EXPECT_TRUE(listed.contains(code)) << code << " lacks a row in docs/findings.md";
