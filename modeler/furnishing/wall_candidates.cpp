@@ -15,7 +15,8 @@ constexpr double spacing = 0.4;          // metres between even places along a w
 constexpr double curve_spacing = 0.25;   // metres
 constexpr std::size_t most_places = 48;  // of one run
 constexpr double largest_turn = 0.6;     // radians between sides of one curved wall
-constexpr double deepest = 0.25;         // metres between a chord and its curved wall
+constexpr double bulge = 0.05;           // metres by which a curved wall may come before a chord
+constexpr double hollow = 0.15;          // metres behind a chord that may be empty
 
 double angle_of(Point look) { return std::atan2(look.x, -look.y); }
 
@@ -139,13 +140,15 @@ private:
         const double length = plans::norm(way);
         if (length < 0.8 * width) return;
         const Point along = way * (1 / length), inward = plans::turned_left(along);
-        for (const double share : {-0.25, 0.0, 0.25})
-            if (std::abs(plans::dot(ring.at(s + share * width) - from, inward)) > deepest / unit_) return;
+        for (const double share : {-0.4, -0.25, 0.0, 0.25, 0.4}) {
+            const double off = plans::dot(ring.at(s + share * width) - from, inward) * unit_;
+            if (off > bulge || off < -hollow) return;
+        }
         if (!chord_is_backed(ring, s)) return;
         Pose pose;
         pose.at = (from + to) * 0.5 + inward * (search_.size.depth / 2);
         pose.angle = angle_of(inward);
-        const auto pushed = pushed_back(room_, pose, search_.size, search_.gap, 2 * deepest / unit_);
+        const auto pushed = pushed_back(room_, pose, search_.size, search_.gap, 0.5 / unit_);
         if (!pushed) return;
         Candidate candidate{*pushed, 0.5};
         if (turned()) candidate.pose.angle = angle_of(inward * -1.0);

@@ -2,6 +2,7 @@
 // Rooms to furnish without a building around them, and what came of it.
 
 #include <cmath>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -116,8 +117,11 @@ inline std::string faults(const modeler::RoomShape& room, const std::vector<mode
 
 inline modeler::RoomLayout furnished(const modeler::RoomShape& room, const std::string& rules,
                                      const std::vector<modeler::CatalogueEntry>& entries, std::uint64_t seed = 1) {
+    // The layout points to its entries: they live as long as the program.
+    static std::deque<std::vector<modeler::CatalogueEntry>> kept;
+    kept.push_back(entries);
     const modeler::Rules read = modeler::read_rules_text(rules, "rules");
-    return modeler::furnish_room(room, read.rooms.at(0), read.temperature, modeler::EntryLists(entries), {}, seed);
+    return modeler::furnish_room(room, read.rooms.at(0), read.temperature, modeler::EntryLists(kept.back()), {}, seed);
 }
 
 inline const modeler::RoomPiece* find(const modeler::RoomLayout& layout, const std::string& kind) {
