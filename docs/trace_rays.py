@@ -40,7 +40,7 @@ def segments(starts, ends):
 
 
 def nearest(enfilade, scene, rays, *flags):
-    """One record a ray: distance, normal, face, cell, space, material, surface, label, status."""
+    """One record a ray: distance, normal, face, cell, space, material, object, triangle, surface, label, status."""
     return trace(enfilade, scene, rays, "nearest", *flags)
 
 
@@ -94,7 +94,10 @@ def main():
     hits = nearest(enfilade, path, np.hstack([np.tile(points[0], (10000, 1)), directions]))
     print("from %s: mean free path %.2f m, sky in %.1f %% of all directions" %
           (names[0], hits["distance"].mean(), 100 * (hits["status"] == SKY).mean()))
-    for surface, count in enumerate(np.bincount(hits["surface"][hits["status"] == HIT], minlength=len(SURFACES))):
+    if (hits["object"] != NONE).any():
+        print("  %-10s %5.1f %%" % ("furniture", (hits["object"] != NONE).mean() * 100))
+    for surface, count in enumerate(np.bincount(hits["surface"][(hits["status"] == HIT) & (hits["face"] != NONE)],
+                                            minlength=len(SURFACES))):
         if count:
             print("  %-10s %5.1f %%" % (SURFACES[surface], count / 100))
 

@@ -9,6 +9,7 @@
 #include "tools/commands.h"
 #include "tools/exit_code.h"
 #include "tools/findings_text.h"
+#include "tools/furniture.h"
 #include "tools/model.h"
 #include "tools/output_file.h"
 #include "tools/scene_summary.h"
@@ -22,27 +23,54 @@ constexpr std::size_t shown_findings = 20;  ///< of each severity; all with --re
 struct Built {
     Modelled modelled;
     accel::Scene scene;
+    std::string furniture_text;  ///< empty: there is none
+    nlohmann::ordered_json furniture;
+    double read_seconds = 0;
+    double export_seconds = 0;
+    double write_seconds = 0;
     double seconds = 0;
 };
+
+/// The certificate's options, with how objects and cells know each other.
+std::string with_objects(const std::string& options_json, const FurnishFlags& furnish) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(options_json);
+    json["objects"] = furnish.cut ? "cut" : "list";
+    if (furnish.rules) json["seed"] = furnish.seed;
+    return json.dump();
+}
 
 Built build_scene(const BuildCommandOptions& options, const Console& console) {
     const std::filesystem::path output = output_path(options.output);
     std::vector<std::string> steps = {"Reading the plan"};
-    steps.insert(steps.end(), model_steps.begin(), model_steps.end());
+    steps.insert(steps.end(), furnished_model_steps.begin(), furnished_model_steps.end());
     steps.insert(steps.end(), {"Laying out the scene", "Writing"});
     Progress progress(console, std::move(steps));
     Built built;
     built.seconds = seconds_of([&] {
-        const plans::Plan plan = plans::read(options.plan, options.read.options);
+        std::optional<Furniture> furniture;
+        plans::Plan plan;
+        built.read_seconds = seconds_of([&] {
+            plan = plans::read(options.plan, options.read.options);
+            furniture.emplace(options.furnish, options.plan, plan);
+        });
         progress.next();
-        built.modelled = model(plan, options.model, progress);
+        built.modelled = model(plan, options.model, progress, [&](modeler::Building& building) {
+            if (furniture->is_wanted()) furniture->put_into(building, progress);
+        });
         progress.next();
+        if (furniture->is_wanted()) {
+            built.modelled.options_json = with_objects(built.modelled.options_json, options.furnish);
+            built.furniture_text = furniture->text();
+            built.furniture = furniture->json(built.modelled.building);
+        }
         if (has_defects(built.modelled.report, options.strict) && !options.keep_going) return;
-        built.scene =
-            modeler::export_scene(built.modelled.building, built.modelled.report, built.modelled.options_json);
-        if (options.strip) built.scene = accel::strip(built.scene);
+        built.export_seconds = seconds_of([&] {
+            built.scene =
+                modeler::export_scene(built.modelled.building, built.modelled.report, built.modelled.options_json);
+            if (options.strip) built.scene = accel::strip(built.scene);
+        });
         progress.next();
-        accel::write(built.scene, output);
+        built.write_seconds = seconds_of([&] { accel::write(built.scene, output); });
     });
     return built;
 }
@@ -55,6 +83,13 @@ std::string result_json(const BuildCommandOptions& options, const Built& built, 
     json["options"] = nlohmann::ordered_json::parse(built.modelled.options_json);
     json["volumes"] = built.modelled.building.volumes.size();
     json["darts"] = built.modelled.building.map.dart_count();
+    json["furniture"] = built.furniture;
+    json["stage_seconds"] = {{"read", built.read_seconds},
+                             {"model", built.modelled.build_seconds},
+                             {"convexify", built.modelled.convexify_seconds},
+                             {"check", built.modelled.check_seconds},
+                             {"export", built.export_seconds},
+                             {"write", built.write_seconds}};
     json["scene"] = nullptr;
     if (written) json["scene"] = scene_counts_json(built.scene);
     json["check"] = report_json({options.plan.string(), ""}, built.modelled.report);
@@ -79,6 +114,7 @@ int run_build(const BuildCommandOptions& options, const Console& console) {
         return defects ? exit_defects : exit_ok;
     }
     console.say(report_text(subject, report, shown_findings));
+    if (!built.furniture_text.empty()) console.say(built.furniture_text);
     if (written)
         console.say(options.output.string() + ": " + scene_counts_text(built.scene) + ", in " +
                     time_text(built.seconds) + '.');

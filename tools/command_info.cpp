@@ -12,6 +12,7 @@
 #include "tools/commands.h"
 #include "tools/cut_summary.h"
 #include "tools/exit_code.h"
+#include "tools/furniture_summary.h"
 #include "tools/output_file.h"
 #include "tools/report/cut_sheet.h"
 #include "tools/scene_summary.h"
@@ -127,6 +128,7 @@ Json info_json(const std::string& file, const accel::Scene& scene, const Info& i
             json["openings"].push_back(std::move(place));
         }
     }
+    json["furniture"] = furniture_json(view, info.stats);
     json["certificate"] = nullptr;
     if (info.certificate) {
         Json certificate = {{"program_version", info.certificate->program_version},
@@ -161,6 +163,7 @@ std::string info_text(const std::string& file, const accel::Scene& scene, const 
     std::string text = file + ": " + scene_counts_text(scene) + "\n\nRooms\n";
     for (std::size_t s = 0; s < view.spaces.size(); ++s)
         if (view.spaces[s].label == accel::Label::Room) text += room_line(view, view.spaces[s], info.spaces[s]) + '\n';
+    text += furniture_text(view, stats);
     text += "\nCells by label\n";
     for (std::size_t label = 0; label < stats.cells_of_label.size(); ++label)
         if (stats.cells_of_label[label] > 0)

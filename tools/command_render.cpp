@@ -7,6 +7,7 @@
 #include "accel/scene_file.h"
 #include "base/error.h"
 #include "render/executor.h"
+#include "render/object_tracer.h"
 #include "render/oracle.h"
 #include "render/trace.h"
 #include "tools/bench.h"
@@ -99,7 +100,8 @@ std::vector<Shot> chosen_shots(const RenderOptions& options, const accel::SceneV
 }
 
 render::Image render_view(const RenderOptions& options, const TracerChoice& choice, const accel::SceneView& scene,
-                          const Shot& shot, const accel::Executor& executor, render::RayStats& stats) {
+                          const Shot& shot, const render::ObjectTracer* objects, const accel::Executor& executor,
+                          render::RayStats& stats) {
     const View& view = shot.view;
     if (choice.is_oracle) {
         if (view.cut_z)
@@ -120,8 +122,29 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
     if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
     trace.executor = &executor;
+    trace.objects = objects;
     trace.stats = &stats;
     return render::trace(scene, view.camera, trace);
+}
+
+/// What stands in the rooms, as it was made ready to be asked by rays.
+struct SeenObjects {
+    std::size_t count = 0;
+    std::string accel;  ///< empty: nothing stands there
+    std::size_t bytes = 0;
+    double seconds = 0;
+};
+
+std::unique_ptr<render::ObjectAccel> prepare_objects(const RenderOptions& options, const accel::SceneView& scene,
+                                                     const accel::Executor& executor, SeenObjects& seen) {
+    if (!scene.has_objects()) return nullptr;
+    std::unique_ptr<render::ObjectAccel> accel;
+    seen.seconds = seconds_of(
+        [&] { accel = render::build_object_accel(scene, object_accel_kind(options.object_accel), executor); });
+    seen.count = scene.objects.size();
+    seen.accel = accel->name();
+    seen.bytes = accel->bytes();
+    return accel;
 }
 
 /// What one run made.
@@ -130,6 +153,7 @@ struct Pictures {
     std::vector<std::filesystem::path> paths;
     std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
     render::RayStats stats;
+    SeenObjects objects;
     std::string counted;  ///< what false colours show; empty: pictures of light
     nlohmann::ordered_json counts;
 
@@ -148,26 +172,32 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     Pictures made;
     Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
     const accel::Scene scene = accel::open(options.scene);
-    std::copy_n(scene.view().origin, 3, made.origin.begin());
+    const accel::SceneView view = options.no_objects ? without_objects(scene.view()) : scene.view();
+    std::copy_n(view.origin, 3, made.origin.begin());
     progress.next();
-    made.shots = chosen_shots(options, scene.view(), console);
+    made.shots = chosen_shots(options, view, console);
     std::vector<std::string> names;
     for (const Shot& shot : made.shots) names.push_back(shot.name);
     PictureFiles files(options.output, names);
     const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
     std::optional<CountPictures> counts;
+    std::unique_ptr<render::ObjectAccel> accel;
     if (!options.show.empty()) {
         std::vector<View> views;
         for (const Shot& shot : made.shots) views.push_back(shot.view);
-        counts.emplace(scene.view(), views, options.show, *cores);
+        counts.emplace(view, views, options.show, *cores);
+    } else if (!choice.is_oracle) {
+        accel = prepare_objects(options, view, *cores, made.objects);
     }
+    const render::ObjectTracer tracer = accel ? accel->tracer() : render::ObjectTracer{};
+    const render::ObjectTracer* objects = accel ? &tracer : nullptr;
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
         render::Image image;
         shot.seconds = seconds_of([&] {
             image = counts ? counts->picture(shot.view, watched)
-                           : render_view(options, choice, scene.view(), shot, watched, made.stats);
+                           : render_view(options, choice, view, shot, objects, watched, made.stats);
         });
         files.write(k, image);
     }
@@ -209,6 +239,12 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     if (choice.has_packets())
         json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
     json["mirror_floor"] = choice.mirror_floor;
+    json["objects"] = nullptr;
+    if (!made.objects.accel.empty())
+        json["objects"] = {{"count", made.objects.count},
+                           {"accel", made.objects.accel},
+                           {"bytes", made.objects.bytes},
+                           {"seconds", made.objects.seconds}};
     json["shading"] = options.shading;
     json["width"] = made.shots.front().view.camera.width;
     json["height"] = made.shots.front().view.camera.height;

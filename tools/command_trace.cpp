@@ -4,6 +4,7 @@
 #include "accel/scene_file.h"
 #include "base/error.h"
 #include "render/executor.h"
+#include "render/object_tracer.h"
 #include "tools/bench.h"
 #include "tools/commands.h"
 #include "tools/exit_code.h"
@@ -11,6 +12,7 @@
 #include "tools/progress.h"
 #include "tools/query_rays.h"
 #include "tools/scene_solids.h"
+#include "tools/trace_flags.h"
 
 namespace enfilade::tools {
 
@@ -145,6 +147,13 @@ int run_trace(const TraceCommandOptions& options, const Console& console) {
         query.precision = options.real == "double" ? render::Precision::Double : render::Precision::Float;
         query.executor = cores.get();
         query.progress = [&](double done) { progress.fraction(done); };
+        std::unique_ptr<render::ObjectAccel> accel;
+        render::ObjectTracer objects;
+        if (scene.view().has_objects() && !options.no_objects && options.query != "all") {
+            accel = render::build_object_accel(scene.view(), object_accel_kind(options.object_accel), *cores);
+            objects = accel->tracer();
+            query.objects = &objects;
+        }
         render::Solids solids;
         if (options.query == "all") {
             solids = solids_of(scene);

@@ -61,12 +61,27 @@ struct ModelOptions {
 /// "0,2" as numbers. Throws InputError.
 [[nodiscard]] std::vector<std::uint32_t> parse_storeys(const std::string& list);
 
+/// What stands in the rooms: flags of `build`.
+struct FurnishFlags {
+    std::optional<std::string> rules;  ///< a rule file, or empty for the program's own; nothing: none by rule
+    std::uint64_t seed = 1;
+    std::vector<std::filesystem::path> catalogues;
+    bool cut = false;                    ///< objects are volumes that rooms are cut around; else cells list them
+    std::uint32_t object_triangles = 0;  ///< meshes of more are decimated to this; 0: never
+    std::uint32_t detail = 1;            ///< of our own pieces
+    std::string rooms;                   ///< names: only what can be seen from them counts; empty: everything
+    std::filesystem::path views;         ///< the same for cameras
+    bool lit = false;                    ///< and what lamps shine through on their way there
+    bool no_plan_furniture = false;      ///< the plan's own pieces stay away
+};
+
 struct BuildCommandOptions {
     std::filesystem::path plan;
     std::filesystem::path output;
     std::filesystem::path report;  ///< .html, .json or .txt; empty: none
     ReadFlags read;
     ModelOptions model;
+    FurnishFlags furnish;
     bool keep_going = false;
     bool strip = false;
     bool strict = false;
@@ -84,6 +99,22 @@ struct CheckOptions {
     bool strict = false;
 };
 int run_check(const CheckOptions& options, const Console& console);
+
+/// One object of a scene: moved, turned, added or removed; all are listed where none is named.
+struct PlaceOptions {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< empty: the scene file itself
+    std::string move;              ///< id; with `at`
+    std::string turn;              ///< id; with `angle`
+    std::string remove;            ///< id
+    std::string add;               ///< a model: id of a catalogue entry, or a kind; with `at`
+    std::string id;                ///< of what is added; empty: made from its model
+    std::string at;                ///< "X,Y" or "X,Y,Z"
+    std::optional<double> angle_deg;
+    std::vector<std::filesystem::path> catalogues;
+    bool keep_going = false;
+};
+int run_place(const PlaceOptions& options, const Console& console);
 
 struct InfoOptions {
     std::filesystem::path scene;
@@ -105,9 +136,11 @@ struct RenderOptions {
     std::string packets;                      ///< "64:8"; empty: the usual ones
     std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors
     std::string shading = "look";
-    std::string show;               ///< "cells" or "sides" a ray in false colours; empty: light
-    bool stats = false;             ///< say what happened to the rays
-    std::optional<double> fov_deg;  ///< nothing: the view's own
+    std::string show;                  ///< "cells" or "sides" a ray in false colours; empty: light
+    bool stats = false;                ///< say what happened to the rays
+    std::string object_accel = "bvh";  ///< or "plain"
+    bool no_objects = false;           ///< rooms without what stands in them
+    std::optional<double> fov_deg;     ///< nothing: the view's own
     std::uint32_t samples = 2;
     std::uint32_t threads = 0;  ///< 0: all
 };
@@ -120,8 +153,10 @@ struct TraceCommandOptions {
     std::filesystem::path rays;    ///< .npy
     std::filesystem::path output;  ///< .npy
     std::string query = "nearest";
-    std::string real;    ///< empty: what the query takes
-    std::string tracer;  ///< empty: the fastest
+    std::string real;                  ///< empty: what the query takes
+    std::string tracer;                ///< empty: the fastest
+    std::string object_accel = "bvh";  ///< or "plain"
+    bool no_objects = false;
     std::uint32_t threads = 0;
 };
 int run_trace(const TraceCommandOptions& options, const Console& console);

@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 import sys
 
-COMMANDS = ["import", "generate", "build", "check", "info", "render", "tour", "trace", "export", "bench"]
+COMMANDS = ["import", "generate", "build", "check", "place", "info", "render", "tour", "trace", "export", "bench"]
 HEAD = """# Commands
 
 What `enfilade COMMAND --help` prints. Made by `tools/commands_page.py build/release/tools/enfilade >docs/commands.md`; do not

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "modeler/convexify.h"
+#include "tools/bench.h"
 #include "tools/convexifiers.h"
 
 namespace enfilade::tools {
@@ -73,17 +74,25 @@ modeler::CheckOptions check_options(const ModelOptions& options) {
     return check;
 }
 
-Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& progress) {
+Modelled model(const plans::Plan& plan, const ModelOptions& options, Progress& progress,
+               const std::function<void(modeler::Building&)>& furnish) {
     const modeler::BuildOptions build = build_options(options, plan);
     Modelled modelled;
     modelled.options_json = options_text(options, build);
     {
-        const modeler::Building whole = modeler::build(plan, build);
+        modeler::Building whole;
+        modelled.build_seconds = seconds_of([&] { whole = modeler::build(plan, build); });
         progress.next();
-        modelled.building = modeler::convexify(whole, {.convexifier = options.convexifier});
+        modelled.convexify_seconds =
+            seconds_of([&] { modelled.building = modeler::convexify(whole, {.convexifier = options.convexifier}); });
     }
     progress.next();
-    modelled.report = modeler::check(modelled.building, check_options(options));
+    if (furnish) {
+        furnish(modelled.building);
+        progress.next();
+    }
+    modelled.check_seconds =
+        seconds_of([&] { modelled.report = modeler::check(modelled.building, check_options(options)); });
     return modelled;
 }
 

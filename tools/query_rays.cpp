@@ -17,8 +17,9 @@ static_assert(std::uint8_t(RayStatus::Leak) + 1 == ray_status_count);
 static_assert(offsetof(render::Passage, label) == 40 && offsetof(render::Passage, reserved) == 45);
 
 std::vector<NpyField> hit_fields() {
-    return {{"distance", "<f8"}, {"normal", "<f4", 3}, {"face", "<u4"},  {"cell", "<u4"},   {"space", "<u4"},
-            {"material", "<u4"}, {"surface", "|u1"},   {"label", "|u1"}, {"status", "|u1"}, {"", "|V1"}};
+    return {{"distance", "<f8"}, {"normal", "<f4", 3}, {"face", "<u4"},   {"cell", "<u4"},
+            {"space", "<u4"},    {"material", "<u4"},  {"object", "<u4"}, {"triangle", "<u4"},
+            {"surface", "|u1"},  {"label", "|u1"},     {"status", "|u1"}, {"", "|V1"}};
 }
 
 std::vector<NpyField> passage_fields() {
@@ -114,7 +115,7 @@ struct AnswerBlock {
     std::vector<Element> elements;
 };
 
-/// Answers all rays, one element each, block by block: `answer(walked, elements)`.
+/// Answers all rays, one element each, block by block: `answer(walked, placed, elements)`.
 template <class Element, class Answer>
 QueryReport answer_each(const accel::SceneView& scene, const RayFile& rays, NpyWriter& elements,
                         const QueryOptions& options, const Answer& answer) {
@@ -125,7 +126,7 @@ QueryReport answer_each(const accel::SceneView& scene, const RayFile& rays, NpyW
     Pool<AnswerBlock<Element>> pool;
     const auto answer_block = [&](std::size_t begin, std::size_t end) {
         auto block = pool.take([&] {
-            return AnswerBlock<Element>{{}, RayWalker(scene, options.tracer, options.precision), {}};
+            return AnswerBlock<Element>{{}, RayWalker(scene, options.tracer, options.precision, options.objects), {}};
         });
         Block& work = block->work;
         work.report = {};
@@ -133,7 +134,7 @@ QueryReport answer_each(const accel::SceneView& scene, const RayFile& rays, NpyW
         begin_block(scene, grid, rays, begin, end - begin, work);
         const std::span<const WalkedRay> walked = block->walker.walk(work.placed);
         block->elements.resize(walked.size());
-        answer(walked, std::span<Element>(block->elements));
+        answer(walked, work.placed, std::span<Element>(block->elements));
         work.report.busy.trace = work.lap();
         for (const WalkedRay& ray : walked) ++work.report.of_status[std::size_t(ray.status)];
         elements.write(begin, std::as_bytes(std::span(block->elements)));
@@ -170,8 +171,42 @@ std::vector<std::array<float, 3>> normals_of(const accel::SceneView& scene) {
     return normals;
 }
 
+/// Of a triangle where its object stands, unit, towards where the ray came from; 0 where it has no area.
+std::array<float, 3> normal_of(const accel::SceneView& scene, const accel::PlacedObject& object, std::uint32_t triangle,
+                               const render::Vec3d& along) {
+    const accel::ObjectMesh& mesh = scene.meshes[index(object.mesh)];
+    const std::array<std::uint32_t, 3>& corners = scene.mesh_triangles[mesh.first_triangle + triangle].corners;
+    const std::array<float, 12>& rows = object.scene_from_object.rows;
+    const auto at = [&](std::uint32_t corner) {
+        const accel::Vertex& v = scene.mesh_vertices[mesh.first_vertex + corner];
+        const auto row = [&](std::size_t r) {
+            return double{rows[4 * r]} * v.x + double{rows[4 * r + 1]} * v.y + double{rows[4 * r + 2]} * v.z;
+        };
+        return render::Vec3d{row(0), row(1), row(2)};
+    };
+    const render::Vec3d a = at(corners[0]);
+    render::Vec3d n = render::cross(at(corners[1]) - a, at(corners[2]) - a);
+    const double size = render::length(n);
+    if (!(size > 0)) return {0, 0, 0};
+    n = (render::dot(n, along) > 0 ? -1 / size : 1 / size) * n;
+    const render::Vec3f unit = render::vec_cast<float>(n);
+    return {unit.x, unit.y, unit.z};
+}
+
 constexpr std::uint32_t none32 = 0xffffffffu;
 constexpr std::uint8_t none8 = 0xff;
+
+/// What is known of the object that a ray has met.
+void add_object(const accel::SceneView& scene, const WalkedRay& ray, const render::Vec3d& along, HitRecord& record) {
+    const accel::PlacedObject& object = scene.objects[index(ray.object)];
+    const accel::ObjectMesh& mesh = scene.meshes[index(object.mesh)];
+    record.object = std::uint32_t(index(ray.object));
+    record.triangle = ray.triangle;
+    record.material = std::uint32_t(index(object.material != none<accel::MaterialId>
+                                              ? object.material
+                                              : scene.mesh_triangles[mesh.first_triangle + ray.triangle].material));
+    record.normal = normal_of(scene, object, ray.triangle, along);
+}
 
 }  // namespace
 
@@ -179,11 +214,13 @@ QueryReport query_nearest(const accel::SceneView& scene, const RayFile& rays, Np
                           const QueryOptions& options) {
     const std::vector<std::array<float, 3>> normals = normals_of(scene);
     return answer_each<HitRecord>(
-        scene, rays, hits, options, [&](std::span<const WalkedRay> walked, std::span<HitRecord> records) {
+        scene, rays, hits, options,
+        [&](std::span<const WalkedRay> walked, std::span<const PlacedRay> placed, std::span<HitRecord> records) {
             for (std::size_t i = 0; i < walked.size(); ++i) {
                 const WalkedRay& ray = walked[i];
                 HitRecord& record = records[i];
-                record = {ray.distance, {0, 0, 0}, none32, none32, none32, none32, none8, none8, ray.status, 0};
+                record = {ray.distance, {0, 0, 0}, none32, none32, none32,     none32,
+                          none32,       none32,    none8,  none8,  ray.status, 0};
                 if (ray.cell != none<accel::CellId>) {
                     const accel::Cell& cell = scene.cells[index(ray.cell)];
                     record.cell = std::uint32_t(index(ray.cell));
@@ -197,6 +234,7 @@ QueryReport query_nearest(const accel::SceneView& scene, const RayFile& rays, Np
                     record.surface = std::uint8_t(face.surface);
                     record.normal = normals[index(ray.face)];
                 }
+                if (ray.object != none<accel::ObjectId>) add_object(scene, ray, placed[i].direction, record);
             }
         });
 }
@@ -204,7 +242,8 @@ QueryReport query_nearest(const accel::SceneView& scene, const RayFile& rays, Np
 QueryReport query_any(const accel::SceneView& scene, const RayFile& rays, NpyWriter& sights,
                       const QueryOptions& options) {
     return answer_each<SightStatus>(
-        scene, rays, sights, options, [](std::span<const WalkedRay> walked, std::span<SightStatus> answers) {
+        scene, rays, sights, options,
+        [](std::span<const WalkedRay> walked, std::span<const PlacedRay>, std::span<SightStatus> answers) {
             constexpr std::array<SightStatus, ray_status_count> answer = {SightStatus::Blocked, SightStatus::Free,
                                                                           SightStatus::Free,    SightStatus::Wall,
                                                                           SightStatus::Refused, SightStatus::Leak};

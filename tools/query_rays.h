@@ -17,6 +17,7 @@ namespace enfilade::tools {
 struct QueryOptions {
     render::Tracer tracer = render::Tracer::Packet;
     render::Precision precision = render::Precision::Float;  ///< Double: by the scalar tracer; passages always
+    const render::ObjectTracer* objects = nullptr;           ///< nullptr: rooms without what stands in them
     const render::Solids* solids = nullptr;                  ///< of passages: what solids are called
     const accel::Executor* executor = nullptr;               ///< nullptr: the calling thread
     std::function<void(double)> progress;                    ///< told the share that is done, by any thread
@@ -42,7 +43,8 @@ struct QueryReport {
 /// One SightStatus a ray.
 [[nodiscard]] QueryReport query_any(const accel::SceneView& scene, const RayFile& rays, NpyWriter& sights,
                                     const QueryOptions& options);
-/// render::Passage records, and rays + 1 offsets (int64) into them.
+/// render::Passage records, through cells and solids (objects are passed unseen), and rays + 1 offsets (int64) into
+/// them.
 [[nodiscard]] QueryReport query_all(const accel::SceneView& scene, const RayFile& rays, NpyWriter& passages,
                                     NpyWriter& offsets, const QueryOptions& options);
 

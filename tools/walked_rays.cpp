@@ -42,6 +42,8 @@ void RayWalker::walk_in_float(std::span<const PlacedRay> rays) {
     cell_.resize(count);
     last_cell_.resize(count);
     face_.resize(count);
+    object_.assign(objects_ != nullptr ? count : 0, none<accel::ObjectId>);
+    triangle_.assign(object_.size(), render::no_triangle);
     status_.resize(count);
     std::size_t changes = 0;
     bool is_limited = false;
@@ -58,14 +60,20 @@ void RayWalker::walk_in_float(std::span<const PlacedRay> rays) {
     const auto& n = numbers_;
     render::StreamOptions options;
     options.tracer = tracer_;
+    options.objects = objects_;
     // Where every other ray starts elsewhere, sorting them pays.
     options.order = 2 * changes > count ? render::StreamOrder::Any : render::StreamOrder::Coherent;
     render::nearest(*scene_,
                     {n[0], n[1], n[2], n[3], n[4], n[5], cell_,
                      is_limited ? std::span<const float>(n[6]) : std::span<const float>()},
-                    {distance_, face_, last_cell_, status_}, options);
+                    {distance_, face_, last_cell_, status_, object_, triangle_}, options);
     for (std::size_t k = 0; k < count; ++k)
-        walked_[walking_[k]] = {distance_[k], face_[k], last_cell_[k], status_of(*scene_, status_[k], face_[k])};
+        walked_[walking_[k]] = {distance_[k],
+                                face_[k],
+                                last_cell_[k],
+                                objects_ != nullptr ? object_[k] : none<accel::ObjectId>,
+                                objects_ != nullptr ? triangle_[k] : render::no_triangle,
+                                status_of(*scene_, status_[k], face_[k])};
 }
 
 void RayWalker::walk_in_double(std::span<const PlacedRay> rays) {
@@ -75,17 +83,23 @@ void RayWalker::walk_in_double(std::span<const PlacedRay> rays) {
         queries_.push_back({from.origin, rays[i].direction, rays[i].cell, from.max_distance});
     }
     hits_.resize(queries_.size());
-    render::trace_rays(*scene_, queries_, hits_, render::Precision::Double);
+    render::trace_rays(*scene_, queries_, hits_, render::Precision::Double, nullptr, objects_);
     for (std::size_t k = 0; k < walking_.size(); ++k) {
         const render::RayHit& hit = hits_[k];
         const bool is_hit = hit.status == render::WalkStatus::Hit;
-        walked_[walking_[k]] = {hit.distance, is_hit ? hit.source_face : none<accel::SourceFaceId>, hit.cell,
+        const bool is_object = hit.status == render::WalkStatus::Object;
+        walked_[walking_[k]] = {hit.distance,
+                                is_hit ? hit.source_face : none<accel::SourceFaceId>,
+                                hit.cell,
+                                is_object ? hit.object : none<accel::ObjectId>,
+                                is_object ? hit.triangle : render::no_triangle,
                                 status_of(*scene_, hit.status, hit.source_face)};
     }
 }
 
 std::span<const WalkedRay> RayWalker::walk(std::span<const PlacedRay> rays) {
-    walked_.assign(rays.size(), {std::nan(""), none<accel::SourceFaceId>, none<accel::CellId>, RayStatus::Refused});
+    walked_.assign(rays.size(), {std::nan(""), none<accel::SourceFaceId>, none<accel::CellId>, none<accel::ObjectId>,
+                                 render::no_triangle, RayStatus::Refused});
     walking_.clear();
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const PlacedRay& ray = rays[i];

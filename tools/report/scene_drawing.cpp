@@ -9,6 +9,7 @@
 #include "tools/console.h"
 #include "tools/report/html_text.h"
 #include "tools/report/name_layer.h"
+#include "tools/report/object_signs.h"
 
 namespace enfilade::tools {
 namespace {
@@ -113,6 +114,7 @@ std::string scene_drawing(const accel::SceneView& scene, const ScenePlan& plan, 
     }
     text +=
         path_tag("cell", inside.cells) + portal_tags(inside) + "<g class=\"inside\">\n" + cut_tags(inside) + "</g>\n";
+    text += path_tag("object", object_paths(scene, storey_index));
     return text + "</g>\n" + names.text();
 }
 
@@ -131,6 +133,7 @@ std::string scene_style(double pixels_per_mm) {
         text += ".room.t" + std::to_string(k) + " { fill: " + tints[k] + "; }\n";
     text += ".door { fill: #dff0e4; }\n.window { fill: #d9ebf3; }\n.stair { fill: #ecebe6; }\n";
     text += ".cell { stroke: #7d8590; stroke-linecap: round; " + width(0.5) + "}\n";
+    text += ".object { fill: #fff; fill-opacity: .55; stroke: #55504a; stroke-linejoin: round; " + width(0.8) + "}\n";
     text += ".portal { stroke-linecap: round; " + width(1.5) + "}\n";
     text +=
         ".portal.clear { stroke: #2e8b57; }\n.portal.glass { stroke: #2f8fb5; }\n.portal.shut { stroke: #7a4a2a; }\n";

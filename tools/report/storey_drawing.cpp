@@ -8,6 +8,7 @@
 #include "tools/console.h"
 #include "tools/report/html_text.h"
 #include "tools/report/name_layer.h"
+#include "tools/report/object_signs.h"
 #include "tools/report/plan_symbols.h"
 #include "tools/report/wall_outline.h"
 
@@ -43,7 +44,9 @@ public:
         std::string drawing = layer("grid", grid());
         drawing += layer("rooms", outdoors() + rooms());
         drawing += layer("stairs", stairs());
-        drawing += layer("furniture", path_tag("furniture", furniture_paths(view_, storey_)));
+        const bool is_furnished = !view_.building().furnishing.empty();
+        drawing += layer("furniture", path_tag("furniture", is_furnished ? object_paths(view_, storey_)
+                                                                         : furniture_paths(view_, storey_)));
         drawing += layer("walls", walls());
         drawing += layer("windows", windows());
         drawing += layer("doors", doors());

@@ -1,0 +1,156 @@
+// Flags of the commands that read scenes.
+
+#include "tools/flags.h"
+
+namespace enfilade::tools {
+
+void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
+    CLI::App* command = add_command(app, invocation, options, "info",
+                                    "Show what a scene file holds: rooms, cells, bytes, and how they are joined.",
+                                    "  enfilade info house.enf\n  enfilade info house.enf --svg cuts.svg\n"
+                                    "  enfilade info house.enf --visible-from Kitchen",
+                                    run_info);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    CLI::Option* svg = add_value(command, "--svg", options.svg, "FILE",
+                                 "draw how the rooms are cut, with cuts coloured by the area of their portal, to this "
+                                 "file (.svg)");
+    add_value(command, "--storey", options.storey, "STOREY",
+              "draw this storey only, by its name or its number, counted from 0 (all)")
+        ->needs(svg);
+    add_value(command, "--visible-from", options.visible_from, "ROOM",
+              "say what can be seen from the room of this name or id instead: which rooms, through how many doors and "
+              "windows at least, and what share of its view each fills");
+}
+
+void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
+    CLI::App* command = add_command(app, invocation, options, "render", "Render a picture of a scene.",
+                                    "  enfilade render house.enf -o house.png --camera dollhouse\n"
+                                    "  enfilade render house.enf -o kitchen.png --room Kitchen\n"
+                                    "  enfilade render house.enf -o tour/ --views house.views.json",
+                                    run_render);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_needed(
+        command, "-o,--output", options.output, "FILE",
+        "the picture to write, .png or .exr; of several views a folder, like tour/, or a name with a number, like "
+        "tour-%02d.png (needed)");
+    CLI::Option* camera = add_value(command, "--camera", options.camera, "VIEW", camera_help());
+    CLI::Option* room =
+        add_value(command, "--room", options.room, "NAME", "look into the room of this name or id, from inside it")
+            ->excludes(camera);
+    add_value(command, "--views", options.views, "FILE",
+              "a picture of each view of this file, as \"enfilade tour\" writes it (docs/views.schema.json)")
+        ->excludes(camera)
+        ->excludes(room);
+    add_value(command, "--size", options.size, "WxH", "width and height in pixels (1024x1024)");
+    add_value(command, "--fov-deg", options.fov_deg, "DEGREES", "field of view across the longer side (the view's own)")
+        ->check(CLI::Range(1.0, 170.0));
+    add_value(
+        command, "--tracer", options.tracer, "NAME",
+        "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
+        "of the picture; oracle: every face against every ray, slow; simd and packet are for --shading lambert "
+        "--samples 1 "
+        "of a building not cut open, other pictures go ray by ray (packet)")
+        ->check(CLI::IsMember({"scalar", "simd", "packet", "oracle"}));
+    add_value(
+        command, "--real", options.real, "TYPE",
+        "float or double: the numbers in which rays walk; double is for the scalar tracer, and chooses it (float)")
+        ->check(CLI::IsMember({"float", "double"}));
+    add_value(command, "--packets", options.packets, "LARGEST:SMALLEST",
+              "packet tracer: pixels a side of the tiles that it begins with, and of those that it walks ray by ray "
+              "(64:8)");
+    add_value(command, "--mirror-floor", options.mirror_floor, "[SHARE]",
+              "floors mirror this share of the light, 0 to 1; 0.25 where the flag stands alone (0)")
+        ->expected(0, 1);
+    add_value(command, "--shading", options.shading, "NAME",
+              "look: sun, sky and darkened corners; lambert: one lamp at the eye, as the oracle has it (look)")
+        ->check(CLI::IsMember({"look", "lambert"}));
+    add_value(command, "--samples", options.samples, "N", "rays along each side of a pixel: 3 gives 9 a pixel (2)")
+        ->check(CLI::Range(1u, 32u));
+    add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
+    add_value(command, "--show", options.show, "WHAT",
+              "instead of light, in false colours what each pixel's ray costs the scalar tracer: cells, the ones it "
+              "enters, or sides, the vertical lines it is tested against")
+        ->check(CLI::IsMember({"cells", "sides"}));
+    add_value(
+        command, "--object-accel", options.object_accel, "KIND",
+        "how rays find the triangles of furniture: bvh, by Embree where it was built with it; plain, by our own tree "
+        "of boxes (bvh)")
+        ->check(CLI::IsMember({"bvh", "plain"}));
+    command->add_flag("--no-objects", options.no_objects, "show the rooms without what stands in them");
+    command->add_flag(
+        "--stats", options.stats,
+        "say what happened to the rays: cells and sides a ray, packets, recoveries; with --json it is always "
+        "there");
+}
+
+void add_trace(CLI::App& app, Invocation& invocation, TraceCommandOptions& options) {
+    CLI::App* command = add_command(app, invocation, options, "trace",
+                                    "Answer many rays: what each meets, whether it is blocked, all it passes.",
+                                    "  enfilade trace house.enf rays.npy -o hits.npy\n"
+                                    "  enfilade trace house.enf links.npy -o passages.npy --query all",
+                                    run_trace);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_positional(command, "RAYS", options.rays,
+                   "rays as numpy saves them (.npy): (n, 6) numbers, origin and direction in metres of the plan, or "
+                   "(n, 7) with a maximal distance");
+    add_needed(command, "-o,--output", options.output, "FILE", "the answers to write, .npy (needed; docs/queries.md)");
+    add_value(command, "--query", options.query, "KIND",
+              "nearest: the face that each ray meets; any: whether something opaque lies within its distance; all: "
+              "every cell, door, pane and solid that it passes, with thicknesses (nearest)")
+        ->check(CLI::IsMember({"nearest", "any", "all"}));
+    add_value(command, "--real", options.real, "KIND",
+              "float, or double: ray by ray, slower (float; all is always computed in double)")
+        ->check(CLI::IsMember({"float", "double"}));
+    add_value(command, "--tracer", options.tracer, "NAME",
+              "scalar: one ray at a time; simd: as many as a register holds; packet: whichever is fastest (packet)")
+        ->check(CLI::IsMember({"scalar", "simd", "packet"}));
+    add_value(
+        command, "--object-accel", options.object_accel, "KIND",
+        "how rays find the triangles of furniture: bvh, by Embree where it was built with it; plain, by our own tree "
+        "of boxes (bvh)")
+        ->check(CLI::IsMember({"bvh", "plain"}));
+    command->add_flag("--no-objects", options.no_objects,
+                      "walk through rooms without what stands in them; --query all always does");
+    add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
+}
+
+void add_tour(CLI::App& app, Invocation& invocation, TourCommandOptions& options) {
+    CLI::App* command = add_command(app, invocation, options, "tour",
+                                    "Walk through a building, from room to room, and save the views along the way.",
+                                    "  enfilade tour house.enf -o house.views.json\n"
+                                    "  enfilade render house.enf --views house.views.json -o tour/",
+                                    run_tour);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_needed(command, "-o,--output", options.output, "FILE",
+               "the view file to write, JSON (docs/views.schema.json) (needed)");
+    add_value(command, "--views", options.views, "N", "how many views (24)")->check(CLI::Range(1u, 100000u));
+    add_value(command, "--rooms", options.rooms, "N", "how many rooms, or places in them, the walk leads to (8)")
+        ->check(CLI::Range(1u, 1000u));
+}
+
+void add_export(CLI::App& app, Invocation& invocation, ExportOptions& options) {
+    CLI::App* command = add_command(
+        app, invocation, options, "export", "Write a scene in a format of other programs.",
+        "  enfilade export house.enf -o house.glb\n  enfilade export house.enf -o house.graphml", run_export);
+    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_needed(command, "-o,--output", options.output, "FILE",
+               "the file to write (needed); its ending chooses the format:" + export_list());
+    add_value(command, "--level", options.level, "LEVEL", "of a .dot graph: rooms, or the convex cells (rooms)")
+        ->check(CLI::IsMember({"rooms", "cells"}));
+}
+
+void add_bench(CLI::App& app, Invocation& invocation, BenchOptions& options) {
+    CLI::App* command =
+        add_command(app, invocation, options, "bench",
+                    "Measure how fast this machine does it, against the goals and the best known relatives.",
+                    "  enfilade bench cells --quick", run_bench, false);
+    add_positional(command, "NAME", options.name, "which one:\n" + bench_list());
+    command->add_flag("--quick", options.quick, "smaller inputs and fewer runs: at most 40 seconds");
+    add_value(command, "--json", options.json, "FILE", "also write the rows to this file");
+    add_value(command, "--data", options.data, "FOLDER",
+              "where other people's plans lie, in sh3d, dxf and other; benchmarks of them are left out without it "
+              "(../shared/data)");
+    command->add_flag("--strict", options.strict, "end with 1 where a goal is not met");
+}
+
+}  // namespace enfilade::tools
