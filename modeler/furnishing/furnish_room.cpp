@@ -89,6 +89,8 @@ private:
             note_unknown(group);
             if (refused >= give_up) continue;
             const bool found = place(group, k, key);
+            if (found)
+                for (const ObjectRule* with : missing_) note(layout_.no_place, with->object.front());
             refused = found ? 0 : refused + 1;
             placed += found;
         }
@@ -158,7 +160,9 @@ private:
         const bool hangs = group.rule->place == Relation::OnWall || group.rule->place == Relation::Ceiling;
         before_ = occupancy_.mark();
         const std::uint32_t number = groups_ + 1;
-        const std::uint32_t placed = GroupPlacer(occupancy_, number, key).place(group, entry, pose, elevation, hangs);
+        GroupPlacer placer(occupancy_, number, key);
+        const std::uint32_t placed = placer.place(group, entry, pose, elevation, hangs);
+        missing_ = placer.missing();
         if (placed == 0) return 0;
         ++groups_;
         obstacles_.clear();
@@ -332,6 +336,7 @@ private:
     std::vector<Point> lamp_places_;
     std::vector<Ring> obstacles_;  ///< of the group that is tried
     Occupancy::Mark before_ = {0, 0};
+    std::vector<const ObjectRule*> missing_;  ///< of the group that was tried last
     std::uint32_t groups_ = 0;
     bool stale_ = false;  ///< what the walkways reached was told of obstacles that are gone
     RoomLayout layout_;

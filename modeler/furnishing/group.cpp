@@ -39,6 +39,7 @@ std::uint32_t GroupPlacer::place(const Draft& draft, const CatalogueEntry& entry
                                  bool hangs) {
     const Occupancy::Mark before = occupancy_.mark();
     placed_ = 0;
+    missing_.clear();
     if (put(draft, entry, {pose, elevation, UINT32_MAX, hangs, 0, 0})) return placed_;
     occupancy_.undo(before);
     return 0;
@@ -85,12 +86,14 @@ bool GroupPlacer::put(const Draft& draft, const CatalogueEntry& entry, const Slo
     if (!body.hangs && body.carrier == UINT32_MAX && !keeps_clear(body, draft.rule->clearance, floors)) return false;
     const Occupancy::Mark before = occupancy_.mark();
     const std::uint32_t placed_before = placed_;
+    const std::size_t missing_before = missing_.size();
     for (Ring& ring : floors) occupancy_.add_free(std::move(ring), group_);
     const std::uint32_t index = occupancy_.add(std::move(body));
     ++placed_;
     if (place_with(index, draft.with)) return true;
     occupancy_.undo(before);
     placed_ = placed_before;
+    missing_.resize(missing_before);
     return false;
 }
 
@@ -112,6 +115,7 @@ bool GroupPlacer::place_with(std::uint32_t parent, const std::vector<Draft>& dra
                 if (done > 0) break;  // all of one kind
             }
         }
+        if (done < draft.count && draft.known) missing_.push_back(draft.rule);
         // A table for six with one chair is no table for six.
         if (2 * done < draft.count && draft.rule->needed) return false;
     }

@@ -34,6 +34,8 @@ public:
     /// or one that it needs, finds no place: the occupancy is as before then.
     std::uint32_t place(const Draft& draft, const CatalogueEntry& entry, const Pose& pose, double elevation,
                         bool hangs);
+    /// The rules of what came with it and found no place, in whole or in part, in the last `place`.
+    [[nodiscard]] const std::vector<const ObjectRule*>& missing() const { return missing_; }
 
 private:
     struct Slot {
@@ -60,6 +62,7 @@ private:
     std::uint32_t group_;
     plans::Random random_;
     std::uint32_t placed_ = 0;
+    std::vector<const ObjectRule*> missing_;
 };
 
 }  // namespace enfilade::modeler

@@ -221,6 +221,16 @@ TEST(Guarantees, HoldFarFromTheOrigin) {
     EXPECT_EQ(faults(room, checked(room, layout)), "");
 }
 
+TEST(FurnishRoom, NamesWhatOfAGroupFoundNoPlace) {
+    const RoomLayout layout = furnished(
+        room_of(rectangle(1.25, 2.2)),
+        R"({"rooms": [{"kind": "test", "objects": [{"object": "bed", "with": [{"object": "bedside_table"}]}]}]})",
+        {entry("bed", 0.9, 2, 0.5), entry("bedside_table", 0.4, 0.4, 0.5)});
+    EXPECT_EQ(layout.pieces.size(), 1u);
+    EXPECT_EQ(layout.requested, 2u);
+    EXPECT_EQ(layout.no_place, std::vector<std::string>{"bedside_table"});
+}
+
 TEST(FurnishRoom, IsTheSameForTheSameSeedAndAnotherForAnother) {
     const modeler::EntryLists entries(own_entries());
     const auto layout = [&](std::uint64_t seed) {
