@@ -1,7 +1,13 @@
 #!/usr/bin/env bash
-# tools/demo.sh [PLAN]: installs what is missing, builds the program, models a house from its plan, checks it, renders
-# it, and says where the pictures and the report are (out/demo/NAME).
+# tools/demo.sh [--furnished] [PLAN]: installs what is missing, builds the program, models a house from its plan, checks
+# it, renders it, and says where the pictures and the report are (out/demo/NAME). --furnished: with furniture in all its
+# rooms, of our own pieces, and of Debian's libraries for Sweet Home 3D where those are installed.
 set -euo pipefail
+furnished=
+if [ "${1:-}" = --furnished ]; then
+    furnished=yes
+    shift
+fi
 plan=$(realpath -- "${1:-$(dirname "${BASH_SOURCE[0]}")/../plans/examples/townhouse.json}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 [ -f "$plan" ] || { echo "There is no plan $plan." >&2; exit 2; }
@@ -11,13 +17,26 @@ tools/build.sh release enfilade
 enfilade=build/release/tools/enfilade
 
 name=$(basename "${plan%.*}")
-out=out/demo/$name
+out=out/demo/$name${furnished:+-furnished}
 rm -rf "$out"
 mkdir -p "$out"
 
+flags=()
+if [ -n "$furnished" ]; then
+    flags=(--furnish --detail 3)
+    libraries=(/usr/share/sweethome3d/furniture/*.sh3f)
+    found=
+    for library in "${libraries[@]}"; do
+        [ -f "$library" ] || continue
+        flags+=(--catalogue "$library")
+        found=yes
+    done
+    [ -n "$found" ] || echo "Our own pieces stand in the rooms; for 800 more: apt-get install sweethome3d-furniture"
+fi
+
 # Real plans have faults: the model is made of what can be used, and the report names the rest.
 verdict=0
-"$enfilade" build "$plan" -o "$out/$name.enf" --keep-going --report "$out/report.html" || verdict=$?
+"$enfilade" build "$plan" -o "$out/$name.enf" --keep-going --report "$out/report.html" "${flags[@]}" || verdict=$?
 [ "$verdict" -le 1 ] || exit "$verdict"
 "$enfilade" check "$out/$name.enf" --report "$out/report.json" --quiet || [ $? -eq 1 ]
 "$enfilade" info "$out/$name.enf" >"$out/info.txt"
@@ -34,6 +53,19 @@ import json, sys
 rooms = json.load(sys.stdin)["rooms"]
 print(max(rooms, key=lambda r: (r["name"] != "", r["area_m2"]))["id"])')
 "$enfilade" render "$out/$name.enf" -o "$out/room.png" --room "$room" --size 1280x960 --samples 2
+if [ -n "$furnished" ]; then
+    # A look into each of the largest rooms, at eye height.
+    mapfile -t rooms < <("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
+import json, sys
+info = json.load(sys.stdin)
+full = {space["id"] for space in (info["furniture"] or {"spaces": []})["spaces"]}
+rooms = sorted((r for r in info["rooms"] if r["id"] in full), key=lambda r: -r["area_m2"])
+print("\n".join(r["id"] for r in rooms[:8]))')
+    for ((k = 0; k < ${#rooms[@]}; k++)); do
+        "$enfilade" render "$out/$name.enf" -o "$out/room-$k.png" --room "${rooms[$k]}" --size 1280x960 --samples 3
+    done
+    "$enfilade" info "$out/$name.enf" --svg "$out/furniture.svg" >"$out/info.txt"
+fi
 "$enfilade" export "$out/$name.enf" -o "$out/$name.glb"
 
 echo
