@@ -113,8 +113,15 @@ std::vector<GroupPlacer::Slot> GroupPlacer::on_top(std::uint32_t index, const Dr
     const double unit = occupancy_.room().frame.unit;
     const double width = entry.width / unit, depth = entry.depth / unit, rim = 0.01 / unit;
     const double x_most = (parent.width - width) / 2 - rim, y_most = (parent.depth - depth) / 2 - rim;
-    if (x_most < 0 || y_most < 0) return {};
-    const double top = parent.entry != nullptr && parent.entry->top ? *parent.entry->top / unit : parent.height;
+    // Where the catalogue tells of no top, things would float.
+    if (x_most < 0 || y_most < 0 || parent.entry == nullptr || !parent.entry->top) return {};
+    const double top = *parent.entry->top / unit;
+    const bool is_round = parent.kind == "round_table" || parent.entry->name.find("ound") != std::string::npos;
+    const auto is_over_edge = [&](double x, double y) {
+        const double u = (std::abs(x) + width / 2) / (parent.width / 2);
+        const double v = (std::abs(y) + depth / 2) / (parent.depth / 2);
+        return is_round && u * u + v * v > 1;
+    };
     const double elevation = std::ceil(parent.z_low + top - 1e-6) - occupancy_.room().z_floor;
     const bool large = width > 0.3 * parent.width || draft.rule->score.centre > 0, tall = entry.height > 0.25;
     std::vector<std::pair<double, Slot>> places;
@@ -122,6 +129,7 @@ std::vector<GroupPlacer::Slot> GroupPlacer::on_top(std::uint32_t index, const Dr
     for (int i = 0; i <= steps; ++i)
         for (int j = 0; j <= 2; ++j) {
             const double x = x_most * (2.0 * i / steps - 1), y = y_most * (j - 1.0);
+            if (is_over_edge(x, y)) continue;
             const double off_middle = std::abs(x) / (x_most > 0 ? x_most : 1);
             // What is large stands in the middle, what is small beside it; what is tall behind what is low.
             double good = large ? -2 * off_middle : off_middle;

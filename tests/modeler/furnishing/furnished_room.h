@@ -29,6 +29,7 @@ inline modeler::CatalogueEntry entry(const std::string& kind, double width, doub
     result.width = width;
     result.depth = depth;
     result.height = height;
+    result.top = height;
     return result;
 }
 
