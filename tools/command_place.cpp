@@ -111,6 +111,15 @@ Json result_json(const PlaceOptions& options, const EditedObjects& edited, const
     return json;
 }
 
+/// What the edit brought: what was said of the scene before is not said again.
+modeler::CheckReport news_of(modeler::CheckReport report, const std::vector<Finding>& before) {
+    std::erase_if(report.findings, [&](const Finding& finding) {
+        return std::ranges::any_of(
+            before, [&](const Finding& old) { return old.code == finding.code && old.sentence == finding.sentence; });
+    });
+    return report;
+}
+
 }  // namespace
 
 int run_place(const PlaceOptions& options, const Console& console) {
@@ -120,6 +129,7 @@ int run_place(const PlaceOptions& options, const Console& console) {
     std::string options_json;
     EditedObjects edited;
     modeler::CheckReport report;
+    std::vector<Finding> before;
     bool written = false;
     const double seconds = seconds_of([&] {
         const accel::Scene scene = accel::open(options.scene);
@@ -128,6 +138,7 @@ int run_place(const PlaceOptions& options, const Console& console) {
                              "The scene was stripped of its model, which says what stands where: build it without "
                              "--strip.");
         building = modeler::read_model(scene);
+        before = building.findings;
         if (edit_count(options) == 0) return;
         const std::optional<accel::Certificate> certificate = accel::certificate(scene);
         options_json = certificate ? certificate->options : "{}";
@@ -151,7 +162,8 @@ int run_place(const PlaceOptions& options, const Console& console) {
         console.print(dump(result_json(options, edited, building, report, written, seconds)));
         return defects ? exit_defects : exit_ok;
     }
-    if (!report.findings.empty()) console.say(report_text({options.scene.string(), ""}, report, 20));
+    if (const modeler::CheckReport news = news_of(report, before); !news.findings.empty())
+        console.say(findings_text(news.findings, 20));
     if (written) console.say(output.string() + ": " + edited.what + ", in " + time_text(seconds) + '.');
     else
         console.warn("enfilade: " + output.string() + " stays as it is, because the model would have defects (" +

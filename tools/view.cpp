@@ -190,8 +190,24 @@ std::optional<Vec3d> parse_point(std::string_view text) {
     return Vec3d{values[0], values[1], values[2]};
 }
 
+/// How far along its direction (of length 1) a ray enters the object's box, 0 inside it; infinity where it does not.
+double way_into(const accel::PlacedObject& object, const Vec3d& eye, const Vec3d& along) {
+    const std::array<double, 3> from = {eye.x, eye.y, eye.z}, step = {along.x, along.y, along.z};
+    double enter = 0, leave = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double low = object.low[k] - from[k], high = object.high[k] - from[k];
+        if (step[k] == 0) {
+            if (low > 0 || high < 0) return std::numeric_limits<double>::infinity();
+            continue;
+        }
+        enter = std::max(enter, std::min(low / step[k], high / step[k]));
+        leave = std::min(leave, std::max(low / step[k], high / step[k]));
+    }
+    return enter <= leave ? enter : std::numeric_limits<double>::infinity();
+}
+
 /// Geometric mean of the distances seen through a coarse picture of this camera: a column before the eye spoils it, as
-/// it would spoil the picture.
+/// it would spoil the picture, and so does furniture of the room, as its boxes.
 double mean_depth(const accel::SceneView& scene, render::Camera camera, accel::CellId cell) {
     camera.width = 12;
     camera.height = 8;
@@ -203,8 +219,15 @@ double mean_depth(const accel::SceneView& scene, render::Camera camera, accel::C
                             render::vec_cast<double>(frame.direction(float(x) + 0.5f, float(y) + 0.5f)), cell});
     std::vector<render::RayHit> hits(rays.size());
     render::trace_rays(scene, rays, hits);
+    const accel::SpaceId room = scene.cells[index(cell)].space;
     double sum = 0;
-    for (const render::RayHit& hit : hits) sum += std::log(std::clamp(hit.distance, 0.05, 30.0));
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+        double distance = hits[k].distance;
+        const Vec3d along = render::normalized(rays[k].direction);
+        for (const accel::PlacedObject& object : scene.objects)
+            if (object.space == room) distance = std::min(distance, way_into(object, rays[k].origin, along));
+        sum += std::log(std::clamp(distance, 0.05, 30.0));
+    }
     return std::exp(sum / double(hits.size()));
 }
 
