@@ -223,7 +223,8 @@ private:
         }
         const FurnishedFloor floor = furnished_floor(name_, rooms_, {.spaces = spaces});
         const Drawn own = drawn(floor, render::ObjectAccelKind::Bvh);
-        row(setting + ": time", seconds + floor.times.all() + own.accel_seconds, "s");
+        // The catalogue is the same for all.
+        row(setting + ": time", seconds + floor.times.all() - floor.times.catalogue + own.accel_seconds, "s");
         row(setting + ": memory", (double(floor.object_bytes()) + own.accel_bytes) / 1e6, "MB");
         row(setting + ": rooms", double(eyes != nullptr ? spaces.size() : floor.rooms.size()), "rooms");
         row(setting + ": objects", double(floor.scene.view().objects.size()), "objects");

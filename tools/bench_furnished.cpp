@@ -59,6 +59,7 @@ void add_build(Bench& bench, const FurnishedFloor& floor, bool has_goal) {
     };
     add("from plan to file", floor.times.all() + writing,
         has_goal ? std::optional(value_at_most(most_build_seconds)) : std::nullopt);
+    add("of that, opening the catalogue", floor.times.catalogue, {});
     add("of that, placing by rule", floor.times.placing, {});
     add("of that, objects into cells", floor.times.putting, {});
 }
