@@ -80,7 +80,7 @@ struct MeshOptions {
     double planar_angle_deg = 20;   ///< G3: between the plane and any triangle of the face
     std::size_t listed = 20;        ///< findings of a kind before the rest are counted in one
     /// Coordinates that are none become NaN, vertices that do not exist numbers beyond `points`, instead of a refusal:
-    /// for those who leave such faces out themselves.
+    /// for those who leave such faces out themselves. Nothing is welded then.
     bool tolerant = false;
 };
 

@@ -94,7 +94,7 @@ Mesh read_mesh(std::string_view bytes, const std::string& name, const MeshOption
     if (mesh.points.size() >= UINT32_MAX) throw InputError("P800", name, "A mesh has fewer than 2^32 vertices.");
     if (mesh.face_count() == 0 && mesh.solids.empty() && mesh.findings.empty())
         throw InputError("P807", name, "The file has no face: there is nothing to check.");
-    if (options.weld >= 0) weld(mesh, options.weld);
+    if (options.weld >= 0 && !options.tolerant) weld(mesh, options.weld);
     return mesh;
 }
 
