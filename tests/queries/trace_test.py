@@ -48,6 +48,8 @@ class Trace(unittest.TestCase):
         starts = np.repeat(cls.points, 300, axis=0)
         cls.rays = np.hstack([starts, random.normal(size=starts.shape)])
 
+        cls.furnished = build(folder, folder / "plan.json", "furnished.enf", "--furnish")
+
     @classmethod
     def tearDownClass(cls):
         cls.scratch.cleanup()
@@ -57,6 +59,31 @@ class Trace(unittest.TestCase):
 
     def passages(self, rays, *flags, scene=None):
         return trace_rays.passages(ENFILADE, scene or self.scene, rays, *flags)
+
+    def test_rays_meet_furniture(self):
+        bare = self.nearest(self.rays, "--no-objects", scene=self.furnished)
+        hits = self.nearest(self.rays, scene=self.furnished)
+        np.testing.assert_array_equal(bare, self.nearest(self.rays))
+        self.assertTrue((bare["object"] == NONE).all())
+        met = hits["object"] != NONE
+        self.assertGreater(met.sum(), len(met) // 50)
+        self.assertTrue((hits["face"][met] == NONE).all())
+        self.assertTrue((hits["triangle"][met] != NONE).all())
+        self.assertTrue((hits["status"][met] == trace_rays.HIT).all())
+        self.assertTrue((hits["distance"][met] <= bare["distance"][met] + 1e-4).all())
+        np.testing.assert_array_equal(hits[~met], bare[~met])
+        along = np.einsum("ij,ij->i", hits["normal"][met], self.rays[met, 3:6])
+        self.assertTrue((along <= 0).all())
+        lengths = np.linalg.norm(hits["normal"][met], axis=1)
+        np.testing.assert_allclose(lengths, 1, atol=1e-5)
+        double = self.nearest(self.rays, "--real", "double", scene=self.furnished)
+        self.assertGreater((double["object"] == hits["object"]).mean(), 0.999)
+        plain = self.nearest(self.rays, "--object-accel", "plain", scene=self.furnished)
+        self.assertGreater((plain["object"] == hits["object"]).mean(), 0.999)
+        ends = self.rays[:, :3] + 3 * self.rays[:, 3:6]
+        self.assertGreater(trace_rays.blocked(ENFILADE, self.furnished, self.rays[:, :3], ends).sum(),
+                           trace_rays.blocked(ENFILADE, self.scene, self.rays[:, :3], ends).sum())
+
 
     def test_the_plan_has_an_origin_of_its_own(self):
         self.assertTrue((self.arrays["origin"] != 0).any(), "else frames are not told apart here")
