@@ -135,6 +135,10 @@ private:
             bundle.tint = bundle.tint * tint_of(scene_, bundle.cell, way.exit, way.face);
             events_.crossed_glass();
         }
+        bundle.came_from = bundle.cell;
+        bundle.came_by = way.exit;
+        bundle.section = way.section;
+        bundle.next_section = way.next_section;
         bundle.cell = static_cast<std::uint32_t>(way.target().neighbour());
     }
 
@@ -162,6 +166,7 @@ private:
         bundle.floor = (1 - job_.mirror_floor) * light;
         bundle.tint = job_.mirror_floor * bundle.tint;
         bundle.is_mirrored = true;
+        bundle.came_from = no_cell;
         bundle.mirror_level = scene_.cells[bundle.cell].z_floor;
     }
 

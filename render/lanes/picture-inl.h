@@ -18,10 +18,25 @@ HWY_INLINE Points<N> directions(const CameraFrame& camera, const Floats<N>& x, c
 struct Bundle {
     std::uint32_t cell;
     bool is_mirrored = false;
-    float mirror_level = 0;   ///< height of the floor that mirrored it
-    Vec3f floor = {0, 0, 0};  ///< that floor's own light where it is lit straight
-    Vec3f tint = {1, 1, 1};   ///< of what it meets
+    float mirror_level = 0;             ///< height of the floor that mirrored it
+    Vec3f floor = {0, 0, 0};            ///< that floor's own light where it is lit straight
+    Vec3f tint = {1, 1, 1};             ///< of what it meets
+    std::uint32_t came_from = no_cell;  ///< the cell before; none where it began in this one, or at a mirror in it
+    Exit came_by = Exit::Side;          ///< how it left that one
+    std::uint32_t section = no_section, next_section = no_section;
 };
+
+/// From where on objects count for rays of a bundle: where they came into its cell.
+template <int N>
+HWY_INLINE Floats<N> first_of(const accel::SceneView& scene, const Bundle& bundle, const EyeRays<N>& rays) {
+    using F = Floats<N>;
+    F first(0);
+    if (bundle.is_mirrored) first = (F(bundle.mirror_level) - F(rays.eye.z)) / rays.direction.z;
+    if (bundle.came_from == no_cell) return first;
+    const Way way = {all_bits<N>, bundle.came_by, bundle.section, bundle.next_section, 0, 0};
+    const F entered = parameter_of(scene, rays.all(), bundle.came_from, way);
+    return stretch_of(entered, entered, first).from;
+}
 
 /// A block is four pixels high, and as wide as its rays ask for; its rays go row by row.
 inline constexpr int block_height = 4;
@@ -309,9 +324,7 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
         const auto in_view = [&](std::uint32_t cell) HWY_ATTR {
             return rays.is_mirrored ? outlooks.objects.in_mirror(cell, bundle.mirror_level) : outlooks.objects.on(cell);
         };
-        F first(0);
-        if (bundle.is_mirrored) first = (F(bundle.mirror_level) - F(rays.eye.z)) / rays.direction.z;
-        walk_among(scene, *job.objects, rays, first, in_view, start, tints, seen, events);
+        walk_among(scene, *job.objects, rays, first_of(scene, bundle, rays), in_view, start, tints, seen, events);
     } else {
         walk_together(scene, rays, start, tints, seen, events);
     }
