@@ -26,7 +26,7 @@ bool EntryLists::knows(std::string_view word) const {
     return kinds_.find(word) != kinds_.end() || ids_.find(word) != ids_.end();
 }
 
-std::vector<const CatalogueEntry*> EntryLists::drawn(std::string_view word, plans::Random& random) const {
+std::vector<const CatalogueEntry*> EntryLists::drawn(std::string_view word, plans::Random& random, bool hangs) const {
     std::vector<const CatalogueEntry*> tries;
     const auto add = [&](const CatalogueEntry* entry) {
         if (std::find(tries.begin(), tries.end(), entry) == tries.end()) tries.push_back(entry);
@@ -36,8 +36,8 @@ std::vector<const CatalogueEntry*> EntryLists::drawn(std::string_view word, plan
         for (const auto* list : {&kind->second.others, &kind->second.own}) {
             if (list->empty()) continue;
             if (tries.empty()) add((*list)[random.below(std::uint32_t(list->size()))]);
-            add(*std::min_element(list->begin(), list->end(), [](const CatalogueEntry* a, const CatalogueEntry* b) {
-                return a->width * a->depth < b->width * b->depth;
+            add(*std::min_element(list->begin(), list->end(), [&](const CatalogueEntry* a, const CatalogueEntry* b) {
+                return hangs ? a->height < b->height : a->width * a->depth < b->width * b->depth;
             }));
         }
     } else if (const auto id = ids_.find(word); id != ids_.end()) {

@@ -18,9 +18,10 @@ public:
     explicit EntryLists(std::span<const CatalogueEntry> entries);
 
     [[nodiscard]] bool knows(std::string_view word) const;
-    /// What to try for a kind or an id: one drawn, then the smallest. Our own pieces only where there are no others,
-    /// and last of all.
-    [[nodiscard]] std::vector<const CatalogueEntry*> drawn(std::string_view word, plans::Random& random) const;
+    /// What to try for a kind or an id: one drawn, then the smallest, or the flattest of what `hangs` from a ceiling.
+    /// Our own pieces only where there are no others, and last of all.
+    [[nodiscard]] std::vector<const CatalogueEntry*> drawn(std::string_view word, plans::Random& random,
+                                                           bool hangs = false) const;
 
 private:
     struct Kind {

@@ -22,6 +22,7 @@ constexpr std::size_t most_candidates = 600;  ///< candidates that are scored
 constexpr std::uint32_t give_up = 3;    ///< objects of one rule in a row that found no place: the rest will not, too
 constexpr double eye_level = 1.55;      ///< metres: middle of pictures
 constexpr double under_ceiling = 0.01;  ///< metres
+constexpr double head_room = 2;         ///< metres below lamps where nothing stands beneath
 constexpr double window_reach = 1.2;    ///< metres: what is near a window
 constexpr double access_reach = 0.5;    ///< metres from the floor that it keeps clear
 
@@ -134,7 +135,8 @@ private:
         Found best;
         for (std::size_t t = 0; t < group.tries.size(); ++t) {
             const CatalogueEntry& entry = *group.tries[t];
-            const std::vector<Scored> places = drawn_places(*group.rule, entry, number, key + t);
+            const std::vector<Scored> places =
+                drawn_places(*group.rule, entry, number, key + t, t + 1 == group.tries.size());
             std::size_t tried = 0, refused = 0;
             for (std::size_t k = 0; k < places.size() && tried < most_tries && refused < most_refused; ++k) {
                 const Found here{t, places[k].candidate.pose, key + k,
@@ -280,9 +282,21 @@ private:
         return result;
     }
 
+    /// Whether a lamp leaves no head room over floor where people walk. A long one may hang over a table in the middle,
+    /// but is not moved aside until it hangs over something.
+    [[nodiscard]] bool hangs_in_the_way(const ObjectRule& rule, const Body& lamp, std::size_t candidate) const {
+        if (rule.place != Relation::Ceiling || (lamp.z_low - room_.z_floor) * unit_ >= head_room) return false;
+        return candidate > 0 ||
+               std::none_of(occupancy_.bodies().begin(), occupancy_.bodies().end(), [&](const Body& body) {
+                   return body.carrier == UINT32_MAX && is_obstacle(room_, body.z_low, body.z_high) &&
+                          body.z_high <= lamp.z_low && body.box.meets(lamp.box) && overlap(body.ring, lamp.ring);
+               });
+    }
+
     /// Places by descending score plus Gumbel noise: the order of draws with probabilities exp(score / temperature).
+    /// Of a ceiling's lamps only the flattest may hang where people would run into it.
     [[nodiscard]] std::vector<Scored> drawn_places(const ObjectRule& rule, const CatalogueEntry& entry,
-                                                   std::uint32_t number, std::uint64_t key) const {
+                                                   std::uint32_t number, std::uint64_t key, bool flattest) const {
         Random random{key, 1};
         std::vector<Candidate> found = candidates(rule, entry, number);
         const PieceSize size{entry.width / unit_, entry.depth / unit_};
@@ -298,7 +312,7 @@ private:
             Body body = occupancy_.body(entry, found[k].pose, elevation);
             body.hangs = rule.place == Relation::OnWall || rule.place == Relation::Ceiling;
             body.group = UINT32_MAX;
-            if (!occupancy_.is_possible(body)) continue;
+            if (!occupancy_.is_possible(body) || (!flattest && hangs_in_the_way(rule, body, k))) continue;
             const double noise = -std::log(-std::log(std::max(random.uniform(), 1e-300)));
             const double good = in_order ? -double(k) : score(occupancy_, found[k], size, rule) + temperature_ * noise;
             places.push_back({good, found[k]});

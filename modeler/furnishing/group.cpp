@@ -21,7 +21,8 @@ Draft draft(const ObjectRule& rule, std::uint32_t count, const EntryLists& entri
         result.known = result.known || entries.knows(word);
         const bool varied = rule.place == Relation::OnWall || rule.place == Relation::OnTop;
         plans::Random look{style, hash_of(word), varied ? random.next() : 0};
-        for (const CatalogueEntry* entry : entries.drawn(word, look)) result.tries.push_back(entry);
+        for (const CatalogueEntry* entry : entries.drawn(word, look, rule.place == Relation::Ceiling))
+            result.tries.push_back(entry);
     }
     for (const ObjectRule& with : rule.with) {
         // Drawn whether it comes or not: what is drawn later does not depend on it.

@@ -245,6 +245,23 @@ TEST(Ceiling, HangsEvenlyUnderIt) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(xs[k], 1.5 + 3 * double(k), 0.4);
 }
 
+TEST(Ceiling, HangsTheFlattestLampWherePeopleWouldRunIntoOthers) {
+    const RoomShape low = room_of(rectangle(4, 3)), high = room_of(rectangle(4, 3), {}, 3.2);
+    const std::vector<modeler::CatalogueEntry> lamps = {
+        entry("ceiling_lamp", 0.3, 0.3, 0.8), entry("ceiling_lamp", 0.5, 0.5, 0.1), entry("table", 3, 2, 0.7)};
+    const auto hung = [&](const RoomShape& room, const std::string& before) {
+        std::size_t long_ones = 0;
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const std::string asked = rules(before + R"({"object": "ceiling_lamp", "place": "ceiling"})");
+            long_ones += furnished(room, asked, lamps, seed).pieces.back().size[2] > 0.5;
+        }
+        return long_ones;
+    };
+    EXPECT_EQ(hung(low, ""), 0u);
+    EXPECT_GT(hung(high, ""), 0u);
+    EXPECT_GT(hung(low, R"({"object": "table", "place": "middle"}, )"), 0u);
+}
+
 TEST(OnWall, HangsAtEyeLevelAndNotOverWindows) {
     const RoomShape room =
         room_of(rectangle(3, 3),
