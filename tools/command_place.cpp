@@ -29,7 +29,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using modeler::FurnishedObject;
 
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+/// Above -180, up to 180, however often a piece was turned on its way.
+double degrees(double radians) {
+    const double turn = std::remainder(radians * 180 / std::numbers::pi, 360.0);
+    const double told = std::round(turn * 100) / 100;  // neither -0.0 nor -180.0 is
+    if (told == 0) return 0;
+    return told == -180 ? 180 : turn;
+}
 
 Json object_json(const modeler::Building& building, const FurnishedObject& object) {
     const modeler::Space& space = building.spaces[object.space];

@@ -86,9 +86,10 @@ void add_model_flags(CLI::App* command, ModelOptions& model) {
 void add_furnish_flags(CLI::App* command, FurnishFlags& furnish) {
     add_value(command, "--furnish", furnish.rules, "[RULES]",
               "furnish the rooms by rule: by this file (docs/furnishing.md), or by our own rules where the flag stands "
-              "alone. Without it only the plan's own pieces stand there")
+              "alone; name the plan before it. Without it only the plan's own pieces stand there")
         ->expected(0, 1);
-    add_value(command, "--seed", furnish.seed, "N", "of --furnish: another number, other furniture (1)");
+    add_value(command, "--seed", furnish.seed, "N", "of --furnish: another number, other furniture (1)")
+        ->needs("--furnish");
     command
         ->add_option("--catalogue", furnish.catalogues,
                      "where furniture comes from besides our own pieces: a library of Sweet Home 3D (.sh3f), a home "

@@ -25,6 +25,11 @@ void check_flags(const FurnishFlags& flags) {
                          "--lit widens the scope of --rooms or --views to what lamps shine through: give one of them.");
 }
 
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code none;
+    return std::filesystem::equivalent(a, b, none);
+}
+
 void append(std::vector<Finding>& to, std::span<const Finding> findings) {
     to.insert(to.end(), findings.begin(), findings.end());
 }
@@ -50,7 +55,9 @@ Furniture::Furniture(const FurnishFlags& flags, const std::filesystem::path& pla
         options.object_triangles = flags.object_triangles;
         catalogue_.emplace(options);
         for (const std::filesystem::path& path : flags.catalogues) catalogue_->add(path);
-        if (takes_plan && plan_file.extension() == ".sh3d") catalogue_->add(plan_file);
+        const auto is_plan = [&](const std::filesystem::path& path) { return same_file(path, plan_file); };
+        if (takes_plan && plan_file.extension() == ".sh3d" && std::ranges::none_of(flags.catalogues, is_plan))
+            catalogue_->add(plan_file);
     });
 }
 

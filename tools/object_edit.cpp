@@ -65,6 +65,9 @@ EditedObjects carried(const Building& building, const FurnishedObject& first, co
     const std::set<std::string> ids = with_load(building, first.id);
     EditedObjects edited{building.furnishing, {ids.begin(), ids.end()}, said(done, first.id, ids.size())};
     const std::array<double, 3> from = first.position;
+    FurnishedObject there = first;  // the place that was asked for, before those of what stands on it
+    there.position = to;
+    (void)space_of(building, there);
     const double c = std::cos(by), s = std::sin(by);
     for (FurnishedObject& object : edited.furnishing.objects) {
         if (!ids.contains(object.id)) continue;

@@ -17,7 +17,7 @@ inline constexpr std::string_view object_list[] = {
 inline constexpr std::string_view score_list[] = {"corner",     "window", "door",   "wall_middle", "centre",
                                                   "open_front", "near",   "facing", "gap"};
 
-inline constexpr plans::JsonKeys rules{"rules", rules_list};
+inline constexpr plans::JsonKeys rules{"rule file", rules_list};
 inline constexpr plans::JsonKeys kind{"kind", kind_list};
 inline constexpr plans::JsonKeys room{"room", room_list};
 inline constexpr plans::JsonKeys object{"object", object_list};

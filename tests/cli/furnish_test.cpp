@@ -187,6 +187,12 @@ TEST_F(FurnishedOffice, WrongFlagsAreSaidAndNothingIsWritten) {
     }
 }
 
+TEST_F(FurnishedOffice, HasNoSeedWithoutRules) {
+    const Outcome outcome = run({"build", "office.json", "-o", "bare.enf", "--seed", "3"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("--furnish"), std::string::npos) << outcome.err;
+}
+
 TEST_F(FurnishedOffice, RaysMeetWhatStandsThere) {
     const std::string room = some_room(0);
     picture("full.enf", "a.png", {"--room", room});

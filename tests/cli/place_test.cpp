@@ -56,6 +56,28 @@ TEST_F(Place, ListsWhatStandsThere) {
     for (const json& one : all) EXPECT_NE(text.out.find(one.at("id").get<std::string>()), std::string::npos);
 }
 
+TEST_F(Place, TellsAnglesWithinHalfATurn) {
+    std::size_t turned = 0;
+    for (const json& one : objects("list.enf")) {
+        const double angle = one.at("angle_deg");
+        EXPECT_GT(angle, -180) << one;
+        EXPECT_LE(angle, 180) << one;
+        turned += angle != 0;
+    }
+    EXPECT_GT(turned, 5u);
+    EXPECT_EQ(run({"place", "list.enf"}).out.find("-0.0 deg"), std::string::npos);
+}
+
+TEST_F(Place, RefusesThePlaceThatWasAskedForNotThatOfALoad) {
+    std::string carrier;
+    for (const json& one : objects("list.enf"))
+        if (one.at("stands_on").is_string()) carrier = one.at("stands_on");
+    ASSERT_FALSE(carrier.empty());
+    const Outcome outcome = run({"place", "list.enf", "--move", carrier, "--at", "500,700,0", "-o", "far.enf"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("(500, 700, 0)"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Place, TouchesNothingButTheListsOfWholeRooms) {
     const json piece = free_piece("list.enf");
     const std::string id = piece.at("id");

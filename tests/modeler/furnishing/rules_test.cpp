@@ -63,6 +63,12 @@ TEST(Rules, RefuseAnUnknownKeyWithItsPlaceAndTheNearestOne) {
     EXPECT_NE(std::string(error.what()).find("did you mean \"count\""), std::string::npos) << error.what();
 }
 
+TEST(Rules, RefuseAPlanAndNameWhatARuleFileMayHave) {
+    const std::string said = refused("{\"name\": \"House\", \"storeys\": []}").what();
+    EXPECT_NE(said.find("not known in a rule file"), std::string::npos) << said;
+    EXPECT_NE(said.find("rooms"), std::string::npos) << said;
+}
+
 TEST(Rules, RefuseAnUnknownRelationWithTheNearestOne) {
     const InputError error = refused(with_object(R"({"object": "desk", "place": "against_wal"})"));
     EXPECT_EQ(error.code, "U105");
