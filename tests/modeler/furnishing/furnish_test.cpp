@@ -46,6 +46,17 @@ TEST(Furnish, KeepsEveryGuaranteeInTheTownhouse) {
     EXPECT_EQ(furnished.rooms.size(), 15u);
 }
 
+TEST(Furnish, GivesASmallBathroomAToiletAndAShower) {
+    const Building building = townhouse();
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        std::set<std::string> ids;
+        for (const FurnishedObject& object : furnish(building, {.seed = seed, .spaces = {}}).furnishing.objects)
+            ids.insert(object.id);
+        EXPECT_TRUE(ids.contains("bath/toilet-1")) << seed;
+        EXPECT_TRUE(ids.contains("bath/shower-1")) << seed;
+    }
+}
+
 TEST(Furnish, FindsWhatIsMovedIntoAPlaceThatIsTaken) {
     const Building building = townhouse();
     Furnishing furnishing = furnish(building).furnishing;
