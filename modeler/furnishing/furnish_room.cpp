@@ -233,8 +233,10 @@ private:
         const double ceiling = (room_.z_ceiling - room_.z_floor) * unit_;
         if (rule.place == Relation::Ceiling) return std::floor((ceiling - under_ceiling - entry.height) / unit_) - 1;
         if (rule.elevation >= 0) return rule.elevation / unit_;
-        if (rule.place != Relation::OnWall) return 0;
-        const double hung = entry.elevation > 0 ? entry.elevation : eye_level - entry.height / 2;
+        const bool hangs = rule.place == Relation::OnWall;
+        // Basins and radiators are made to hang on the wall that others stand against.
+        if (!hangs && rule.place != Relation::AgainstWall && rule.place != Relation::NearWindow) return 0;
+        const double hung = !hangs || entry.elevation > 0 ? entry.elevation : eye_level - entry.height / 2;
         return std::max(0.0, std::min(hung, ceiling - entry.height - 0.05)) / unit_;
     }
 

@@ -83,6 +83,20 @@ TEST(AgainstWall, TouchesACurvedWallWithItsBackCorners) {
     }
 }
 
+TEST(AgainstWall, HangsWhatItsCatalogueHangsThere) {
+    std::vector<modeler::CatalogueEntry> basins = {entry("wash_basin", 0.6, 0.5, 0.5)};
+    basins[0].elevation = 0.46;
+    const RoomShape room = room_of(rectangle(3, 3));
+    const auto height = [&](const std::string& object) {
+        const RoomLayout layout = furnished(room, rules(object), basins);
+        EXPECT_EQ(layout.pieces.size(), 1u);
+        EXPECT_LT(std::abs(back_gap(layout.pieces.at(0), 3, 3)), 0.002);
+        return layout.pieces.at(0).z_low * unit;
+    };
+    EXPECT_NEAR(height(R"({"object": "wash_basin"})"), 0.46, 0.001);
+    EXPECT_NEAR(height(R"({"object": "wash_basin", "elevation": 0.3})"), 0.3, 0.001);
+}
+
 TEST(NearWindow, StandsBesideTheWindow) {
     const RoomShape room = room_of(rectangle(8, 4), {{2, 0.1, 0.25, Beyond::Window, 0.9, 2}});
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
