@@ -1,4 +1,5 @@
 // Hits of Embree's as pixels, in lanes. Compiled once for every instruction set of Highway's.
+// No pragma once: the include guard is turned over for each of them.
 
 #if defined(ENFILADE_RENDER_EMBREE_SHADE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ENFILADE_RENDER_EMBREE_SHADE_INL_H

@@ -145,8 +145,9 @@ struct Outlook {
 class Outlooks {
 public:
     /// `around`: those of a rectangle that holds this one, or nullptr.
-    Outlooks(const accel::SceneView& scene, const CameraFrame& camera, const Rectangle& at, const Outlooks* around)
-        : objects(scene, camera, at, around != nullptr ? &around->objects : nullptr),
+    Outlooks(const accel::SceneView& scene, const CameraFrame& camera, ObjectsOnImage& on_image, const Rectangle& at,
+             const Outlooks* around)
+        : objects(scene, on_image, at, around != nullptr ? &around->objects : nullptr),
           scene_(scene),
           camera_(camera),
           around_(around),

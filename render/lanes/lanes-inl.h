@@ -90,6 +90,12 @@ HWY_INLINE Floats<N> quick_inverse_root(Floats<N> a) {
     for (int k = 0; k < a.vectors; ++k) a.v[k] = hn::ApproximateReciprocalSqrt(a.v[k]);
     return a;
 }
+/// 1 / a, to 11 bits or better.
+template <int N>
+HWY_INLINE Floats<N> quick_inverse(Floats<N> a) {
+    for (int k = 0; k < a.vectors; ++k) a.v[k] = hn::ApproximateReciprocal(a.v[k]);
+    return a;
+}
 template <int N>
 HWY_INLINE Floats<N> magnitude_of(Floats<N> a) {
     for (int k = 0; k < a.vectors; ++k) a.v[k] = hn::Abs(a.v[k]);
@@ -118,6 +124,19 @@ ENFILADE_COMPARE(is_less, Lt)
 ENFILADE_COMPARE(is_at_most, Le)
 ENFILADE_COMPARE(is_equal, Eq)
 #undef ENFILADE_COMPARE
+
+template <int N>
+HWY_INLINE float least_lane(const Floats<N>& a) {
+    V v = a.v[0];
+    for (int k = 1; k < a.vectors; ++k) v = hn::Min(v, a.v[k]);
+    return hn::GetLane(hn::MinOfLanes(D(), v));
+}
+template <int N>
+HWY_INLINE float largest_lane(const Floats<N>& a) {
+    V v = a.v[0];
+    for (int k = 1; k < a.vectors; ++k) v = hn::Max(v, a.v[k]);
+    return hn::GetLane(hn::MaxOfLanes(D(), v));
+}
 
 /// N points or directions.
 template <int N>

@@ -76,12 +76,13 @@ void simd_tile(const detail::TileJob& job) {
     constexpr int block_rays = lane_count < 8 ? 16 : 32;
     constexpr int side = 32;  // of the rectangles that share an outlook on the camera's cell
     const accel::SceneView scene = *job.scene;
+    ObjectsOnImage on_image(scene, *job.camera);
     counted(job, [&](auto& events) HWY_ATTR {
         for (int y = job.y0; y < job.y1; y += side)
             for (int x = job.x0; x < job.x1; x += side) {
                 const Rectangle at = {x, y, x + side < job.x1 ? x + side : job.x1,
                                       y + side < job.y1 ? y + side : job.y1};
-                Outlooks outlooks(scene, *job.camera, at, nullptr);
+                Outlooks outlooks(scene, *job.camera, on_image, at, nullptr);
                 trace_blocks<block_rays>(job, scene, Bundle{job.start_cell}, outlooks, at, events);
             }
     });

@@ -42,24 +42,46 @@ HWY_INLINE Points<N> turned_lanes(const float* HWY_RESTRICT m, const Points<N>& 
     return {row(m), row(m + 4), row(m + 8)};
 }
 
-/// Which rays pass the mesh's box within their stretches; rather more than fewer.
+/// Rays' origins in an object's space: one for all rays of an eye, else one each.
 template <int N>
-HWY_INLINE Bits pass_box(const accel::ObjectMesh& mesh, const Points<N>& o, const Points<N>& d,
+HWY_INLINE Vec3f origin_in(const accel::PlacedObject& object, const EyeRays<N>& rays) {
+    const auto& at = object.scene_from_object.rows;
+    return turned(object.object_from_scene, Vec3f{rays.eye.x - at[3], rays.eye.y - at[7], rays.eye.z - at[11]});
+}
+template <int N>
+HWY_INLINE Points<N> origin_in(const accel::PlacedObject& object, const Rays<N>& rays) {
+    using F = Floats<N>;
+    const auto& at = object.scene_from_object.rows;
+    return turned_lanes(object.object_from_scene.rows.data(),
+                        Points<N>{rays.origin.x - F(at[3]), rays.origin.y - F(at[7]), rays.origin.z - F(at[11])});
+}
+template <int N>
+HWY_INLINE const Floats<N>& in_lanes(const Floats<N>& a) {
+    return a;
+}
+template <int N>
+HWY_INLINE Floats<N> in_lanes(float a) {
+    return Floats<N>(a);
+}
+
+/// Which rays pass the mesh's box within their stretches; rather more than fewer.
+template <int N, class Origin>
+HWY_INLINE Bits pass_box(const accel::ObjectMesh& mesh, const Origin& o, const Points<N>& d,
                          const Stretch<N>& stretch) {
     using F = Floats<N>;
     F in = stretch.from, out = stretch.to;
-    const auto slab = [&](float low, float high, const F& origin, const F& way) HWY_ATTR {
+    const auto slab = [&](float low, float high, const auto& origin, const F& way) HWY_ATTR {
         const F tiny(1e-18f);
-        const F inverse = F(1) / choose(is_less(magnitude_of(way), tiny), tiny, way);
-        const F a = (F(low) - origin) * inverse, b = (F(high) - origin) * inverse;
+        const F inverse = quick_inverse(choose(is_less(magnitude_of(way), tiny), tiny, way));
+        const F a = (F(low) - in_lanes<N>(origin)) * inverse, b = (F(high) - in_lanes<N>(origin)) * inverse;
         in = largest(in, least(a, b));
         out = least(out, largest(a, b));
     };
     slab(mesh.low[0], mesh.high[0], o.x, d.x);
     slab(mesh.low[1], mesh.high[1], o.y, d.y);
     slab(mesh.low[2], mesh.high[2], o.z, d.z);
-    constexpr float wider = 1e-5f;
-    return is_at_most(in - F(wider) * magnitude_of(in), out + F(wider) * magnitude_of(out) + F(1e-6f));
+    const F wider(0x1p-10f);  // more than quick_inverse may be wrong by, twice
+    return is_at_most(in - wider * magnitude_of(in), out + wider * magnitude_of(out) + F(1e-6f));
 }
 
 /// Sixteen of N lanes.
@@ -94,17 +116,14 @@ struct Asked {
 };
 
 /// Asks an object for the nearest triangles of `rays` within their stretches.
-template <int N>
+template <int N, class SomeRays>
 HWY_NOINLINE void meet_object(const accel::SceneView& scene, const ObjectTracer& tracer, accel::ObjectId id,
-                              const Points<N>& origin, const Points<N>& direction, Bits rays, Asked& asked,
-                              Stretch<N>& stretch, ObjectHits<N>& hits) {
-    using F = Floats<N>;
+                              const SomeRays& lines, Bits rays, Asked& asked, Stretch<N>& stretch,
+                              ObjectHits<N>& hits) {
     static_assert(N % ObjectRays::count == 0);
     const accel::PlacedObject& object = scene.objects[index(id)];
-    const float* m = object.object_from_scene.rows.data();
-    const float* at = object.scene_from_object.rows.data();
-    const Points<N> o = turned_lanes(m, Points<N>{origin.x - F(at[3]), origin.y - F(at[7]), origin.z - F(at[11])});
-    const Points<N> d = turned_lanes(m, direction);
+    const auto o = origin_in(object, lines);
+    const Points<N> d = turned_lanes(object.object_from_scene.rows.data(), lines.direction);
     rays &= pass_box(scene.meshes[index(object.mesh)], o, d, stretch);
     if (rays == 0) return;
     Bits hit = 0;
@@ -112,9 +131,9 @@ HWY_NOINLINE void meet_object(const accel::SceneView& scene, const ObjectTracer&
         const Bits some = rays >> (sixteen * ObjectRays::count) & 0xffffu;
         if (some == 0) continue;
         ObjectRays& to = asked.rays;
-        store_sixteen(o.x, sixteen, to.origin_x);
-        store_sixteen(o.y, sixteen, to.origin_y);
-        store_sixteen(o.z, sixteen, to.origin_z);
+        store_sixteen(in_lanes<N>(o.x), sixteen, to.origin_x);
+        store_sixteen(in_lanes<N>(o.y), sixteen, to.origin_y);
+        store_sixteen(in_lanes<N>(o.z), sixteen, to.origin_z);
         store_sixteen(d.x, sixteen, to.direction_x);
         store_sixteen(d.y, sixteen, to.direction_y);
         store_sixteen(d.z, sixteen, to.direction_z);
@@ -162,10 +181,10 @@ HWY_INLINE Stretch<N> stretch_of(const Floats<N>& entered, const Floats<N>& leav
 
 /// The rays of a group in their cell, before they leave it: those that meet an object there are taken out of `ways`.
 /// entered: where they came into the cell; is moved on to where they leave it. first: from where on objects count.
-template <int N>
+template <int N, class SomeRays>
 HWY_INLINE void meet_objects(const accel::SceneView& scene, const ObjectTracer& tracer, const ObjectList& objects,
-                             const Rays<N>& rays, const Floats<N>& first, const Group& group, Asked& asked,
-                             Ways<N>& ways, Floats<N>& entered, ObjectHits<N>& hits) {
+                             const SomeRays& own, const Rays<N>& rays, const Floats<N>& first, const Group& group,
+                             Asked& asked, Ways<N>& ways, Floats<N>& entered, ObjectHits<N>& hits) {
     using F = Floats<N>;
     F leaves = entered;
     for (int i = 0; i < ways.size; ++i)
@@ -175,7 +194,7 @@ HWY_INLINE void meet_objects(const accel::SceneView& scene, const ObjectTracer& 
         const Bits hit_before = hits.rays;
         Stretch<N> stretch = stretch_of(entered, leaves, first);
         for (std::uint32_t k = 0; k < objects.size; ++k)
-            meet_object(scene, tracer, objects.first[k], rays.origin, rays.direction, here, asked, stretch, hits);
+            meet_object(scene, tracer, objects.first[k], own, here, asked, stretch, hits);
         const Bits hit = hits.rays & ~hit_before;
         if (hit != 0)
             for (int i = 0; i < ways.size; ++i) ways.of[i].rays &= ~hit;
@@ -231,7 +250,7 @@ HWY_NOINLINE void walk_among(const accel::SceneView& scene, const ObjectTracer& 
                 events.entered_cell(scene.cells[group.cell].section_count);
             Ways<N> ways;
             leave_together(scene, rays, group.cell, group.rays, ways);
-            meet_objects(scene, tracer, objects(group.cell), lines, first, group, asked, ways, entered, hits);
+            meet_objects(scene, tracer, objects(group.cell), rays, lines, first, group, asked, ways, entered, hits);
             for (int i = 0; i < ways.size; ++i)
                 if (ways.of[i].rays != 0) take(scene, group.cell, ways.of[i], tints, sink, next, events);
             alone |= ways.alone;

@@ -19,7 +19,7 @@ public:
     static constexpr int tile_rays = 32;  ///< of blocks in the smallest tiles
 
     Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
-        : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events) {}
+        : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events), on_image_(scene, *canvas.job.camera) {}
 
     /// Traces a tile from where its rays are. `around`: the outlooks of a tile that holds this one.
     void trace(const Tile& tile, const Bundle& from, const Outlooks* around) {
@@ -29,7 +29,7 @@ public:
         events_.began_tile();
         Bits present = 0;
         const Points<corner_count> directions = corner_directions(tile, at, present);
-        Outlooks outlooks(scene_, *job_.camera, at, around);
+        Outlooks outlooks(scene_, *job_.camera, on_image_, at, around);
         EyeRays<corner_count> rays(outlooks, job_.camera->origin, directions);
         if (bundle.is_mirrored) rays.mirror(bundle.mirror_level);
         const std::uint64_t most_steps = scene_.cells.count + 16;
@@ -75,7 +75,7 @@ private:
     }
 
     void trace_small(const Rectangle& at, const Bundle& bundle, const Outlooks* around) {
-        Outlooks outlooks(scene_, *job_.camera, at, around);
+        Outlooks outlooks(scene_, *job_.camera, on_image_, at, around);
         if (job_.objects != nullptr && sees_objects(outlooks, bundle))
             return trace_blocks<ObjectRays::count>(job_, scene_, bundle, outlooks, at, events_);
         trace_blocks<tile_rays>(job_, scene_, bundle, outlooks, at, events_);
@@ -208,6 +208,7 @@ private:
     const detail::TileJob& job_;
     const accel::SceneView& scene_;
     Events& events_;
+    ObjectsOnImage on_image_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,4 +1,4 @@
-// Furnished rooms: lanes see what the scalar tracer sees, however cells know their objects.
+// Furnished rooms: every tracer sees what the scalar one sees, however cells know their objects.
 
 #include <gtest/gtest.h>
 
@@ -42,9 +42,6 @@ struct Case {
     std::size_t objects;
     modeler::ObjectCells cells;
 };
-
-/// Ways to trace a picture.
-constexpr std::array judged = {TracerVariant{"simd", Tracer::Simd, {64, 8}}};
 
 constexpr std::array cases = {
     Case{"townhouse", FurnishedHouse::Townhouse, 1, 60, modeler::ObjectCells::List},
@@ -108,7 +105,7 @@ protected:
           accel_(build_object_accel(scene_.view(), ObjectAccelKind::Bvh, accel::SerialExecutor())),
           objects_(accel_->tracer()) {}
 
-    /// From all cameras.
+    /// All variants from all cameras.
     void expect_the_scalar_picture(std::uint64_t seed, float mirror_floor) {
         const accel::SceneView& scene = scene_.view();
         FurnishedVerdict all;
@@ -117,7 +114,7 @@ protected:
             const CameraFrame frame = make_frame(trying.camera);
             const accel::CellId start = start_cell(scene, frame);
             FurnishedJudge judge(scene, objects_, frame, start, width, height, mirror_floor);
-            for (const TracerVariant& variant : judged) {
+            for (const TracerVariant& variant : test::tracer_variants) {
                 const FurnishedVerdict verdict =
                     judge.compare(picture(scene, objects_, frame, start, width, height, variant, mirror_floor));
                 EXPECT_EQ(verdict.unexplained, 0u) << variant.name << ", camera " << trying.name << ", "
@@ -236,7 +233,7 @@ TEST_P(ListedAndCut, LookAlike) {
         const int width = trying.camera.width, height = trying.camera.height;
         const CameraFrame frame = make_frame(trying.camera);
         FurnishedJudge judge(listed.view(), listed_objects, frame, start_cell(listed.view(), frame), width, height);
-        for (const Tracer tracer : {Tracer::Scalar, Tracer::Simd}) {
+        for (const Tracer tracer : {Tracer::Scalar, Tracer::Simd, Tracer::Packet}) {
             const FurnishedVerdict verdict = judge.compare(picture(
                 cut.view(), cut_objects, frame, start_cell(cut.view(), frame), width, height, {"", tracer, {64, 8}}));
             EXPECT_EQ(verdict.unexplained, 0u) << "tracer " << int(tracer) << ", camera " << trying.name << ", "

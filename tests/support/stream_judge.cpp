@@ -30,6 +30,7 @@ const char* name_of(WalkStatus status) {
         case WalkStatus::Reached: return "limit reached";
         case WalkStatus::Leak: return "leak";
         case WalkStatus::Refused: return "refused";
+        case WalkStatus::Object: return "object";
     }
     return "no answer";
 }
