@@ -14,8 +14,8 @@ struct Defect {
     std::string sentence;  ///< which array and index, and what is wrong
 };
 
-/// Checks every index range, number, portal, mesh, placement and list of the view; stops at 32 defects. Empty for a sound scene.
-/// Cost: one pass over the trace group, more than 1 GB/s a core.
+/// Checks every index range, number, portal, mesh, placement and list of the view; stops at 32 defects. Empty for a
+/// sound scene. Cost: one pass over the trace group, more than 1 GB/s a core.
 [[nodiscard]] std::vector<Defect> validate(const SceneView& view, const Executor& executor);
 [[nodiscard]] std::vector<Defect> validate(const SceneView& view);
 
