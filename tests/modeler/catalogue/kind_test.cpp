@@ -58,6 +58,9 @@ TEST(Kind, SizeTellsBedsTablesAndLampsApart) {
 TEST(Kind, WhatOnlyHoldsTheWordIsNone) {
     EXPECT_EQ(kind("Shower curtain"), "");
     EXPECT_EQ(kind("Toilet brush"), "");
+    EXPECT_EQ(kind("Bathmat", {0.73, 0.47, 0.012}), "");  // no rug for libraries
+    EXPECT_EQ(kind("Basin", {0.56, 0.41, 0.27}), "");     // a bowl for a worktop
+    EXPECT_EQ(kind("Washbasin", {0.62, 0.62, 0.5}, 0.46), "wash_basin");
     EXPECT_EQ(kind("Pool table"), "");
     EXPECT_EQ(kind("Bedrock"), "");
     EXPECT_EQ(kind("Chairlift"), "");
