@@ -16,9 +16,11 @@ namespace enfilade::modeler {
 namespace {
 
 constexpr double margin = 0.01;        ///< metres: less is rounding
+constexpr double flat = 0.03;          ///< metres: rugs, which other pieces stand on
 constexpr double least_volume = 1e-6;  ///< cubic metres outside the room, of a box that is smaller by the margin
 
-const char* const hint = "A rule has placed it, and should not have: report the plan and the rules.";
+const char* const hint =
+    "Find it another place (\"enfilade place\"); if a rule has put it there, report the plan and the rules.";
 
 struct Body {
     const FurnishedObject* object;
@@ -129,7 +131,7 @@ private:
     void check_pair(const Body& a, const Body& b) {
         if (!a.object->by_rule && !b.object->by_rule) return;
         if (a.object->stands_on == b.object->id || b.object->stands_on == a.object->id) return;
-        if (shared_height(a.box, b.box) <= margin) return;
+        if (std::min(a.object->size[2], b.object->size[2]) <= flat || shared_height(a.box, b.box) <= margin) return;
         const double depth = depth_in(a.box.footprint, b.box.footprint);
         if (depth <= margin) return;
         const Body& placed = b.object->by_rule ? b : a;

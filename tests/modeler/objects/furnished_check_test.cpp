@@ -66,6 +66,13 @@ TEST_F(FurnishedCheck, FindsNothingWhereAllStandsWell) {
     EXPECT_TRUE(faults({object("desk", 1, 1), lamp, object("other", 2.2, 1), flush}).empty());
 }
 
+TEST_F(FurnishedCheck, LetsPiecesStandOnRugsButNotInTables) {
+    FurnishedObject rug = object("rug", 1.2, 1.2), table = object("table", 1.2, 1.2);
+    rug.size = {2, 1.6, 0.015};
+    EXPECT_TRUE(faults({rug, object("desk", 1, 1)}).empty());
+    EXPECT_EQ(faults({table, object("desk", 1, 1)}).size(), 1u);
+}
+
 TEST_F(FurnishedCheck, NamesTheWallThatAnObjectStandsIn) {
     const auto found = faults({object("shelf", 1, 0.3)});
     ASSERT_EQ(found.size(), 1u);
