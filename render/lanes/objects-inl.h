@@ -232,37 +232,17 @@ template <int N, class SomeRays, class Objects, class Sink, class Events>
 HWY_NOINLINE void walk_among(const accel::SceneView& scene, const ObjectTracer& tracer, const SomeRays& rays,
                              const Floats<N>& first, const Objects& objects, const Groups& start, Tints<N>& tints,
                              Sink& sink, Events& events) {
-    Tints<N> before;
-    if (HWY_UNLIKELY(tints.any)) before = tints;
     const Rays<N> lines = rays.all();
     Floats<N> entered = first;
     ObjectHits<N> hits;
     Asked asked;
-    Groups lists[2];
-    const Groups* now = &start;
-    Bits alone = 0;
-    for (std::uint64_t steps = 0; now->size > 0 && steps < scene.cells.count + 16; ++steps) {
-        Groups& next = lists[steps & 1];
-        next.size = 0;
-        for (int g = 0; g < now->size; ++g) {
-            const Group group = now->of[g];
-            for (Bits left = group.rays; left != 0; left &= left - 1)
-                events.entered_cell(scene.cells[group.cell].section_count);
-            Ways<N> ways;
-            leave_together(scene, rays, group.cell, group.rays, ways);
+    walk_groups(
+        scene, rays, start, tints, sink, events,
+        [&](const Group& group, Ways<N>& ways) HWY_ATTR {
             meet_objects(scene, tracer, objects(group.cell), rays, lines, first, group, asked, ways, entered, hits);
-            for (int i = 0; i < ways.size; ++i)
-                if (ways.of[i].rays != 0) take(scene, group.cell, ways.of[i], tints, sink, next, events);
-            alone |= ways.alone;
-        }
-        now = &next;
-    }
-    for (int g = 0; g < now->size; ++g) alone |= now->of[g].rays;
-    for (; HWY_UNLIKELY(alone != 0); alone &= alone - 1) {
-        const int ray = static_cast<int>(lowest_bit(alone));
-        tints.restore(ray, before);
-        walk_alone_among(scene, tracer, lines, first, ray, start.cell_of(ray), tints, sink, hits, events);
-    }
+        },
+        [&](int ray, std::uint32_t cell)
+            HWY_ATTR { walk_alone_among(scene, tracer, lines, first, ray, cell, tints, sink, hits, events); });
     if (hits.rays != 0) sink.met(hits);
 }
 

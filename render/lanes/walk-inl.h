@@ -86,10 +86,11 @@ HWY_INLINE void take(const accel::SceneView& scene, std::uint32_t cell, const Wa
 }
 
 /// Follows rays from the cells in which they start until faces stop them. Calls sink.hit(way, cell) for those that end
-/// together at a face, sink.leaked(rays) for those that do not end (walk.h).
-template <int N, class SomeRays, class Sink, class Events>
-HWY_INLINE void walk_together(const accel::SceneView& scene, const SomeRays& rays, const Groups& start, Tints<N>& tints,
-                              Sink& sink, Events& events) {
+/// together at a face; meet(group, ways) before rays leave their cell, which may take some out of the ways; and
+/// alone(ray, cell) for those that are walked by themselves, from the cell in which they started.
+template <int N, class SomeRays, class Sink, class Events, class Meet, class Alone>
+HWY_INLINE void walk_groups(const accel::SceneView& scene, const SomeRays& rays, const Groups& start, Tints<N>& tints,
+                            Sink& sink, Events& events, const Meet& meet, const Alone& walk_alone) {
     Tints<N> before;
     if (HWY_UNLIKELY(tints.any)) before = tints;
     Groups lists[2];
@@ -104,7 +105,9 @@ HWY_INLINE void walk_together(const accel::SceneView& scene, const SomeRays& ray
                 events.entered_cell(scene.cells[group.cell].section_count);
             Ways<N> ways;
             leave_together(scene, rays, group.cell, group.rays, ways);
-            for (int i = 0; i < ways.size; ++i) take(scene, group.cell, ways.of[i], tints, sink, next, events);
+            meet(group, ways);
+            for (int i = 0; i < ways.size; ++i)
+                if (ways.of[i].rays != 0) take(scene, group.cell, ways.of[i], tints, sink, next, events);
             alone |= ways.alone;
         }
         now = &next;
@@ -114,8 +117,17 @@ HWY_INLINE void walk_together(const accel::SceneView& scene, const SomeRays& ray
     for (; HWY_UNLIKELY(alone != 0); alone &= alone - 1) {
         const int ray = static_cast<int>(lowest_bit(alone));
         tints.restore(ray, before);
-        walk_by_itself(scene, rays, ray, start.cell_of(ray), tints, sink, events);
+        walk_alone(ray, start.cell_of(ray));
     }
+}
+
+/// Through bare rooms; sink.leaked(rays) is told of rays that do not end (walk.h).
+template <int N, class SomeRays, class Sink, class Events>
+HWY_INLINE void walk_together(const accel::SceneView& scene, const SomeRays& rays, const Groups& start, Tints<N>& tints,
+                              Sink& sink, Events& events) {
+    walk_groups(
+        scene, rays, start, tints, sink, events, [](const Group&, const Ways<N>&) HWY_ATTR {},
+        [&](int ray, std::uint32_t cell) HWY_ATTR { walk_by_itself(scene, rays, ray, cell, tints, sink, events); });
 }
 
 }  // namespace HWY_NAMESPACE
