@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "modeler/furnishing/furnish_room.h"
@@ -22,6 +24,14 @@ struct RoomOutcome {
     plans::GridFrame frame;
     std::array<double, 3> middle = {};
     double area_m2 = 0;
+};
+
+/// What a room is by what stands there; the first of these of which a room has a piece.
+constexpr std::pair<std::string_view, std::string_view> room_of_piece[] = {
+    {"bathtub", "bathroom"}, {"shower", "bathroom"},  {"toilet", "toilet"},        {"double_bed", "bedroom"},
+    {"bed", "bedroom"},      {"bunk_bed", "bedroom"}, {"cot", "bedroom"},          {"sofa", "living"},
+    {"stove", "kitchen"},    {"fridge", "kitchen"},   {"kitchen_sink", "kitchen"}, {"dining_table", "dining"},
+    {"desk", "study"},
 };
 
 class Furnisher {
@@ -61,6 +71,7 @@ private:
         outcome.space = space;
         const Space& from = building_.spaces[space];
         outcome.kind = room_kind(rules_, from.kind, from.name);
+        if (outcome.kind.empty() && from.label == Label::Room) outcome.kind = kind_by_pieces(space);
         outcome.by_default = outcome.kind.empty() && from.label == Label::Room;
         if (outcome.by_default) outcome.kind = "default";
         const RoomRules* rules = rules_.find(outcome.kind);
@@ -78,6 +89,17 @@ private:
         outcome.layout =
             furnish_room(*shape, *rules, rules_.temperature, entries_, standing_.in(*shape), options_.seed);
         return outcome;
+    }
+
+    /// The kind of a room, among those of the rules, that the pieces of the plan tell; empty where they tell none.
+    [[nodiscard]] std::string kind_by_pieces(std::uint32_t space) const {
+        std::set<std::string, std::less<>> kinds;
+        for (const FurnishedObject& object : building_.furnishing.objects)
+            if (object.space == space)
+                if (const CatalogueEntry* entry = catalogue_.find(object.model)) kinds.insert(entry->kind);
+        for (const auto& [piece, room] : room_of_piece)
+            if (kinds.contains(piece) && rules_.find(room) != nullptr) return std::string(room);
+        return {};
     }
 
     /// Each used entry once, by ascending id; what cannot be read is reported and left out.

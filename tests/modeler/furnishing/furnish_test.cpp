@@ -139,6 +139,26 @@ TEST(Furnish, KeepsWhatWasThereAndAddsAroundIt) {
     EXPECT_EQ(text_of(verify_furnished(building, second.furnishing)), "");
 }
 
+TEST(Furnish, TellsAnUnnamedRoomByWhatThePlanHasPutThere) {
+    Building building = townhouse();
+    const Furnished before = furnish(building);
+    std::set<std::uint32_t> with_bed;
+    for (const FurnishedObject& object : before.furnishing.objects)
+        if (object.id.find("/double_bed-1") != std::string::npos) {
+            building.furnishing.objects.push_back(object);
+            building.furnishing.objects.back().by_rule = false;
+            with_bed.insert(object.space);
+        }
+    building.furnishing.meshes = before.furnishing.meshes;
+    ASSERT_FALSE(with_bed.empty());
+    for (Space& space : building.spaces)
+        if (space.label == Label::Room) space.name = space.kind = "";
+    const Furnished after = furnish(building);
+    ASSERT_EQ(after.rooms.size(), 15u);
+    for (const RoomFurnished& room : after.rooms)
+        EXPECT_EQ(room.kind, with_bed.contains(room.space) ? "bedroom" : "default") << room.space;
+}
+
 TEST(Furnish, SaysWhatFoundNoPlaceAndWhatIsInNoCatalogue) {
     const Rules rules = read_rules_text(
         R"({"rooms": [{"kind": "toilet", "names": ["WC"], "objects": [
