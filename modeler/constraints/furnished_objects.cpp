@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -142,6 +143,31 @@ private:
             .elements.push_back({"object", other.object->id, other.object->name});
     }
 
+    /// What the room touches: by its own volumes, or by those of the objects in it.
+    const std::set<std::uint32_t>& beside(std::uint32_t room) {
+        const auto [at, is_new] = beside_.try_emplace(room);
+        if (!is_new) return at->second;
+        for (std::uint32_t v = 0; v < building_.volumes.size(); ++v) {
+            const std::uint32_t space = building_.volumes[v].space;
+            if (space != room && building_.spaces[space].room != room) continue;
+            for (const std::uint32_t f : subject_.faces.of_volume(v))
+                if (const std::uint32_t other = subject_.faces[f].beyond(v); other < building_.volumes.size())
+                    at->second.insert(building_.volumes[other].space);
+        }
+        return at->second;
+    }
+
+    /// Whether a leaf may turn into the room: not where another wall closes the doorway on this side. It may come from
+    /// the next room over an open border.
+    bool opens_here(const plans::Opening& door, std::uint32_t room) {
+        const std::optional<std::uint32_t> space = subject_.spaces.find(Label::Door, door.id);
+        if (!space || beside(room).contains(*space)) return true;
+        const std::set<std::uint32_t>& around = beside(room);
+        return std::any_of(around.begin(), around.end(), [&](std::uint32_t next) {
+            return building_.spaces[next].label == Label::Room && beside(next).contains(*space);
+        });
+    }
+
     void check_doors(std::uint32_t room, const std::vector<Body>& bodies) {
         const std::uint32_t k = building_.spaces[room].storey;
         const plans::Storey* storey = k < building_.storeys.size() ? subject_.spaces.storey(k) : nullptr;
@@ -155,16 +181,16 @@ private:
             const auto host = std::uint32_t(wall - storey->walls.begin());
             for (const DoorSweep& sweep : door_sweeps(*wall, door))
                 for (const Body& body : bodies)
-                    if (body.object->by_rule) check_door(body, sweep, walls, host, *storey, door);
+                    if (body.object->by_rule) check_door(room, body, sweep, walls, host, *storey, door);
         }
     }
 
-    void check_door(const Body& body, const DoorSweep& sweep, const WallBodies& walls, std::uint32_t host,
-                    const plans::Storey& storey, const plans::Opening& door) {
+    void check_door(std::uint32_t room, const Body& body, const DoorSweep& sweep, const WallBodies& walls,
+                    std::uint32_t host, const plans::Storey& storey, const plans::Opening& door) {
         UprightBody box = body.box;
         box.z_low -= storey.elevation;
         box.z_high -= storey.elevation;
-        if (depth_in_sweep(box, sweep, walls, host) <= margin) return;
+        if (depth_in_sweep(box, sweep, walls, host) <= margin || !opens_here(door, room)) return;
         const std::string name = '"' + (door.name.empty() ? door.id : door.name) + '"';
         add(*body.object, called(*body.object) + " stands in the way of door " + name + ".")
             .elements.push_back({"door", door.id, door.name});
@@ -174,6 +200,7 @@ private:
     const Building& building_;
     CheckReport& report_;
     std::map<std::uint32_t, std::vector<Body>> by_room_;
+    std::map<std::uint32_t, std::set<std::uint32_t>> beside_;  ///< [space]
 };
 
 }  // namespace

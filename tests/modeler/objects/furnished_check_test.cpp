@@ -14,13 +14,15 @@ namespace enfilade::modeler {
 namespace {
 
 /// Two rooms of 4 m x 5 m side by side, a door between them in the middle of their wall.
-Building two_rooms() {
+Building two_rooms(const std::string& more_walls = "") {
     return convexify(build(plans::read_json(R"({"storeys": [{"id": "g", "elevation": 0, "height": 2.5,
         "walls": [{"id": "s", "start": [0, 0], "end": [8, 0], "thickness": 0.2},
                   {"id": "e", "start": [8, 0], "end": [8, 5], "thickness": 0.2},
                   {"id": "n", "start": [8, 5], "end": [0, 5], "thickness": 0.2},
                   {"id": "w", "start": [0, 5], "end": [0, 0], "thickness": 0.2},
-                  {"id": "m", "start": [4, 0], "end": [4, 5], "thickness": 0.2}],
+                  {"id": "m", "start": [4, 0], "end": [4, 5], "thickness": 0.2})" +
+                                                more_walls +
+                                                R"(],
         "openings": [{"id": "door", "kind": "door", "wall": "m", "offset": 2.5, "width": 0.9}],
         "rooms": [{"id": "left", "name": "Left", "polygon": [[0.2, 0.2], [3.8, 0.2], [3.8, 4.8], [0.2, 4.8]]},
                   {"id": "right", "name": "Right", "polygon": [[4.2, 0.2], [7.8, 0.2], [7.8, 4.8], [4.2, 4.8]]}]}]})",
@@ -71,6 +73,13 @@ TEST_F(FurnishedCheck, LetsPiecesStandOnRugsButNotInTables) {
     rug.size = {2, 1.6, 0.015};
     EXPECT_TRUE(faults({rug, object("desk", 1, 1)}).empty());
     EXPECT_EQ(faults({table, object("desk", 1, 1)}).size(), 1u);
+}
+
+TEST_F(FurnishedCheck, KeepsNothingFreeBeforeADoorThatAnotherWallCloses) {
+    const FurnishedObject shelf = object("shelf", 3.2, 2.5);
+    EXPECT_EQ(faults({shelf}).size(), 1u);
+    bare_ = two_rooms(R"(, {"id": "front", "start": [3.88, 0], "end": [3.88, 5], "thickness": 0.04})");
+    EXPECT_TRUE(faults({shelf}).empty());
 }
 
 TEST_F(FurnishedCheck, NamesTheWallThatAnObjectStandsIn) {
