@@ -15,7 +15,7 @@ namespace enfilade::modeler {
 namespace {
 
 /// Goes up with every change of what indices or meshes hold, or of how they are made.
-constexpr const char* format_version = "2";
+constexpr const char* format_version = "3";
 
 std::string state_of(const std::filesystem::path& file) {
     std::error_code error;

@@ -204,11 +204,17 @@ constexpr KindWords living[] = {
 constexpr KindWords lamps[] = {
     {"ceiling_lamp",
      "ceiling lamp|ceiling light|pendant lamp|pendant light|hanging light|hanging lamp|chandelier|chandelier lamp|"
-     "fluorescent light|lamp|deckenlampe|deckenleuchte|hangelampe|plafonnier|suspension|lustre|lampadario|plafoniera|"
+     "lamp|deckenlampe|deckenleuchte|hangelampe|plafonnier|suspension|lustre|lampadario|plafoniera|"
      "lampara de techo",
      {0.08, 1.6},
      {0.08, 1.6},
      {0.02, 2},
+     {1.1, 4}},
+    {"office_lamp",
+     "office light|fluorescent light|fluorescent strip|fluorescent lamp|leuchtstofflampe|tube fluorescent|neon",
+     {0.08, 2.5},
+     {0.04, 2.5},
+     {0.02, 1},
      {1.1, 4}},
     {"wall_lamp",
      "wall lamp|wall light|wall uplight|sconce|wall spotlight|wall lamp artwork|wandlampe|wandleuchte|applique|"

@@ -188,7 +188,7 @@ void add_lamps(Pieces& pieces) {
     pieces.push_back(piece<"own/ceiling-lamp-drum", Size{0.45, 0.45, 0.12}>(
         "Ceiling lamp", "ceiling_lamp", "Lamps", [](Shaper& s, const Size& size) { ceiling_drum(s, size); }));
     pieces.push_back(piece<"own/ceiling-lamp-office", Size{1.2, 0.22, 0.35}>(
-        "Office light", "ceiling_lamp", "Lamps", [](Shaper& s, const Size& size) { office_light(s, size); }));
+        "Office light", "office_lamp", "Lamps", [](Shaper& s, const Size& size) { office_light(s, size); }));
     pieces.push_back(piece<"own/wall-lamp", Size{0.15, 0.19, 0.216}>(
         "Wall lamp", "wall_lamp", "Lamps", [](Shaper& s, const Size& size) { wall_lamp(s, size); },
         {.elevation = 1.6}));

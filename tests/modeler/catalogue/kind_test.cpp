@@ -51,6 +51,7 @@ TEST(Kind, SizeTellsBedsTablesAndLampsApart) {
     EXPECT_EQ(kind("Lamp", {0.3, 0.3, 0.5}), "table_lamp");
     EXPECT_EQ(kind("Lamp", {0.4, 0.4, 1.6}), "floor_lamp");
     EXPECT_EQ(kind("Lamp", {0.4, 0.4, 0.5}, 2), "ceiling_lamp");
+    EXPECT_EQ(kind("Fluorescent light", {1.05, 0.24, 0.11}, 2.4), "office_lamp");
     EXPECT_EQ(kind("Shelf", {0.8, 0.2, 0.3}, 1.3), "wall_shelf");
     EXPECT_EQ(kind("Chair", {80, 60, 90}), "");  // a unit error
 }

@@ -240,6 +240,7 @@ TEST(OwnPieces, CoverEveryKind) {
                                  "floor_lamp",
                                  "table_lamp",
                                  "ceiling_lamp",
+                                 "office_lamp",
                                  "wall_lamp",
                                  "filing_cabinet",
                                  "meeting_table",
