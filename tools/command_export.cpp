@@ -75,7 +75,7 @@ struct Format {
 
 constexpr std::array formats = {
     Format{".glb", "glTF 2.0: faces with materials, lamps and furniture, for 3D programs", write_glb},
-    Format{".obj", "Wavefront OBJ and MTL: faces with materials, for 3D programs", write_obj},
+    Format{".obj", "Wavefront OBJ and MTL: faces with materials, no furniture, for 3D programs", write_obj},
     Format{".gml", "IndoorGML 1.1: rooms, doors and how they are joined, for navigation", write_model<indoor_gml>},
     Format{".city.json", "CityJSON 2.0: storeys, rooms, walls and slabs as solids, for maps of cities",
            write_model<modeler::to_cityjson>},

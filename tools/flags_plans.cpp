@@ -15,6 +15,11 @@ constexpr const char* plan_text =
 constexpr const char* report_text =
     "write all findings to this file: .html is a page with the plan drawn, .json is for programs, .txt is plain";
 
+/// Whole numbers: CLI11 would take -1 for the largest one.
+std::string not_negative(const std::string& text) {
+    return text.starts_with('-') ? "\"" + text + "\" is negative: give a whole number from 0 on" : "";
+}
+
 void add_strict(CLI::App* command, bool& strict) { command->add_flag("--strict", strict, "warnings count as errors"); }
 
 void add_read_flags(CLI::App* command, ReadFlags& read) {
@@ -68,7 +73,7 @@ void add_model_flags(CLI::App* command, ModelOptions& model) {
         ->check(CLI::PositiveNumber);
     add_value(command, "--least-thickness-mm", model.least_thickness_mm, "MM",
               "warn of walls and slabs that are thinner (10)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative);
     command
         ->add_option_function<std::string>(
             "--glass", [&model](const std::string& kind) { model.opaque_glass = kind == "opaque"; },
@@ -89,6 +94,7 @@ void add_furnish_flags(CLI::App* command, FurnishFlags& furnish) {
               "alone; name the plan before it. Without it only the plan's own pieces stand there")
         ->expected(0, 1);
     add_value(command, "--seed", furnish.seed, "N", "of --furnish: another number, other furniture (1)")
+        ->check(not_negative)
         ->needs("--furnish");
     command
         ->add_option("--catalogue", furnish.catalogues,
@@ -145,7 +151,7 @@ void add_generate(CLI::App& app, Invocation& invocation, GenerateCommandOptions&
         ->check(CLI::Range(0.0, 1.0));
     add_value(command, "--oblique", options.oblique, "SHARE", "share of the inner walls that are turned, 0 to 1 (0)")
         ->check(CLI::Range(0.0, 1.0));
-    add_value(command, "--seed", options.seed, "N", "another number, another building (1)");
+    add_value(command, "--seed", options.seed, "N", "another number, another building (1)")->check(not_negative);
     add_needed(command, "-o,--output", options.output, "FILE", "the JSON file to write (needed)");
 }
 
@@ -179,10 +185,10 @@ void add_check(CLI::App& app, Invocation& invocation, CheckOptions& options) {
     add_read_flags(command, options.read);
     add_value(command, "--weld", options.weld, "DISTANCE",
               "meshes: join points this close, in the file's unit; 0 joins equal points (none; STL: 0)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative);
     add_value(command, "--planar-distance", options.planar_distance, "DISTANCE",
               "meshes: how far a corner may lie from the plane of its face, in the file's unit (0.01)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative);
     add_value(command, "--planar-angle-deg", options.planar_angle_deg, "DEGREES",
               "meshes: by how much a face may be folded (20)")
         ->check(CLI::Range(0.0, 180.0));

@@ -174,6 +174,7 @@ TEST_F(FurnishedOffice, WrongFlagsAreSaidAndNothingIsWritten) {
         {{"--detail", "0"}, "--detail"},
         {{"--object-triangles", "1"}, "--object-triangles"},
         {{"--seed", "red"}, "--seed"},
+        {{"--seed", "-1"}, "\"-1\" is negative"},
     };
     for (const WrongFlags& flags : wrong) {
         std::vector<std::string> words = {"build", "office.json", "-o", "wrong.enf"};
