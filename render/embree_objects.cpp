@@ -101,8 +101,10 @@ public:
         return scenes_.size() * sizeof(RTCScene) + (inside > 0 ? static_cast<std::size_t>(inside) : 0);
     }
 
-    /// Called for each mesh once, by any number of threads.
+    /// Gives a mesh its tree, instead of the one that it has. For several meshes at once, by any number of threads.
     void add(const accel::SceneView& view, std::size_t mesh, bool is_compact) {
+        if (scenes_[mesh] != nullptr) rtcReleaseScene(scenes_[mesh]);
+        scenes_[mesh] = nullptr;
         const RTCScene scene = rtcNewScene(device_);
         if (scene == nullptr) return;
         scenes_[mesh] = scene;
@@ -165,29 +167,47 @@ private:
     std::string error_;
 };
 
-/// Which meshes get the small trees.
-std::vector<bool> compact_ones(const accel::SceneView& scene, const std::vector<bool>& used, double bytes_a_triangle) {
-    constexpr double fast_bytes = 80, compact_bytes = 48;
+/// Bytes a triangle: of scanned and of drawn meshes; regular ones take some 12 more either way.
+constexpr double fast_bytes = 67, compact_bytes = 36;
+
+/// Meshes that need trees, those first that stand in most places for their size.
+std::vector<std::size_t> by_use(const accel::SceneView& scene, const std::vector<bool>& used) {
     std::vector<double> places(scene.meshes.size(), 0);
     for (const accel::PlacedObject& object : scene.objects) ++places[index(object.mesh)];
     std::vector<std::size_t> order;
-    double left = 0;
-    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-        if (!used[m] || scene.meshes[m].triangle_count == 0) continue;
-        order.push_back(m);
-        left += (bytes_a_triangle - compact_bytes) * scene.meshes[m].triangle_count;
-    }
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+        if (used[m] && scene.meshes[m].triangle_count > 0) order.push_back(m);
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
         return places[a] * scene.meshes[b].triangle_count > places[b] * scene.meshes[a].triangle_count;
     });
+    return order;
+}
+
+/// Which meshes get the small trees, by what trees usually take.
+std::vector<bool> compact_ones(const accel::SceneView& scene, const std::vector<std::size_t>& order, double budget) {
     std::vector<bool> compact(scene.meshes.size(), true);
+    for (const std::size_t m : order) budget -= compact_bytes * scene.meshes[m].triangle_count;
     for (const std::size_t m : order) {
         const double more = (fast_bytes - compact_bytes) * scene.meshes[m].triangle_count;
-        if (more > left) continue;
-        left -= more;
+        if (more > budget) continue;
+        budget -= more;
         compact[m] = false;
     }
     return compact;
+}
+
+/// Large trees that the budget does not hold after all, the least used first.
+std::vector<std::size_t> too_large(const accel::SceneView& scene, const std::vector<std::size_t>& order,
+                                   std::vector<bool>& compact, double excess) {
+    std::vector<std::size_t> again;
+    for (std::size_t k = order.size(); k-- > 0 && excess > 0;) {
+        const std::size_t m = order[k];
+        if (compact[m]) continue;
+        compact[m] = true;
+        again.push_back(m);
+        excess -= (fast_bytes - compact_bytes) * scene.meshes[m].triangle_count;
+    }
+    return again;
 }
 
 }  // namespace
@@ -195,10 +215,15 @@ std::vector<bool> compact_ones(const accel::SceneView& scene, const std::vector<
 std::unique_ptr<ObjectAccel> build_embree_objects(const accel::SceneView& scene, const std::vector<bool>& used,
                                                   const accel::Executor& executor, const EmbreeObjectOptions& options) {
     auto objects = std::make_unique<EmbreeObjects>(scene.meshes.size());
-    const std::vector<bool> compact = compact_ones(scene, used, options.bytes_a_triangle);
-    executor.run(scene.meshes.size(), [&](std::size_t mesh) {
-        if (used[mesh] && scene.meshes[mesh].triangle_count > 0) objects->add(scene, mesh, compact[mesh]);
-    });
+    std::vector<std::size_t> meshes = by_use(scene, used);
+    const std::vector<std::size_t> order = meshes;
+    double budget = 0;
+    for (const std::size_t m : order) budget += options.bytes_a_triangle * scene.meshes[m].triangle_count;
+    std::vector<bool> compact = compact_ones(scene, order, budget);
+    while (!meshes.empty()) {
+        executor.run(meshes.size(), [&](std::size_t k) { objects->add(scene, meshes[k], compact[meshes[k]]); });
+        meshes = too_large(scene, order, compact, static_cast<double>(objects->bytes()) - budget);
+    }
     objects->require_success();
     return objects;
 }

@@ -10,9 +10,9 @@ namespace enfilade::render::detail {
 
 /// How Embree builds.
 struct EmbreeObjectOptions {
-    /// On the average. Trees that hold their triangles take some 80 and are 20 to 40 % faster than those that hold
-    /// indices, which take some 48 (README.md, "Objects"): the former for as many meshes as the budget allows, those
-    /// first that stand in most places for their size.
+    /// On the average, at most, unless all trees are small. Trees that hold their triangles take some 67 and are 10 to
+    /// 40 % faster than those that hold indices, which take some 36 (README.md, "Objects"): the former for as many
+    /// meshes as the budget allows, those first that stand in most places for their size.
     double bytes_a_triangle = 58;
 };
 
