@@ -11,15 +11,6 @@ namespace {
 
 constexpr int side = 1024;
 constexpr std::size_t view_count = 8;
-/// Embree's rays must be kept off the face that they leave (metres).
-constexpr float skin = 1e-3f;
-
-/// The first of them: enough to find Embree's fastest way.
-render::RayColumns first_of(const render::RayColumns& rays, std::size_t count) {
-    const auto cut = [&](auto column) { return column.first(std::min(column.size(), count)); };
-    return {cut(rays.origin_x),    cut(rays.origin_y),    cut(rays.origin_z), cut(rays.direction_x),
-            cut(rays.direction_y), cut(rays.direction_z), cut(rays.cell),     {}};
-}
 
 /// Our ways to trace a stream: each tracer in each order. Streams have no packets.
 std::vector<Competitor> our_ways(const accel::SceneView& scene, const OwnedRays& rays, const render::HitColumns& hits,

@@ -11,8 +11,6 @@ namespace {
 
 constexpr int side = 1024;
 constexpr std::size_t view_count = 8;
-/// Embree's rays must be kept off the face that they leave (metres).
-constexpr float skin = 1e-3f;
 
 void add_lamp_rows(Bench& bench, const TracedBuilding& building, const RoomLamps& lamps, std::size_t points,
                    std::size_t segments) {

@@ -12,14 +12,6 @@ namespace {
 
 constexpr int side = 1024;
 constexpr std::size_t view_count = 8;
-/// Embree's rays must be kept off the face that they leave (metres).
-constexpr float skin = 1e-3f;
-
-render::RayColumns first_of(const render::RayColumns& rays, std::size_t count) {
-    const auto cut = [&](auto column) { return column.first(std::min(column.size(), count)); };
-    return {cut(rays.origin_x),    cut(rays.origin_y),    cut(rays.origin_z), cut(rays.direction_x),
-            cut(rays.direction_y), cut(rays.direction_z), cut(rays.cell),     {}};
-}
 
 /// Answers of one side.
 struct Answers {

@@ -64,6 +64,12 @@ Vec3d object_normal(const accel::SceneView& scene, accel::ObjectId id, std::uint
 
 }  // namespace
 
+render::RayColumns first_of(const render::RayColumns& rays, std::size_t count) {
+    const auto cut = [&](auto column) { return column.first(std::min(column.size(), count)); };
+    return {cut(rays.origin_x),    cut(rays.origin_y),    cut(rays.origin_z), cut(rays.direction_x),
+            cut(rays.direction_y), cut(rays.direction_z), cut(rays.cell),     {}};
+}
+
 SurfacePoints seen_points(const accel::SceneView& scene, const std::vector<PreparedView>& views, int side,
                           int tile_step, const render::ObjectTracer* objects) {
     const OwnedRays rays = camera_rays(views, side, tile_step);

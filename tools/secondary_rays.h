@@ -39,6 +39,12 @@ struct OwnedRays {
     }
 };
 
+/// The first of some rays, at most `count`: enough to find Embree's fastest way.
+[[nodiscard]] render::RayColumns first_of(const render::RayColumns& rays, std::size_t count);
+
+/// Embree's rays must be kept off the faces that they leave: metres.
+inline constexpr float skin = 1e-3f;
+
 /// One ray from each point, in directions spread as the cosine to the normal, the same on every machine.
 [[nodiscard]] OwnedRays bounces(const SurfacePoints& points);
 /// The same rays in random order.

@@ -81,7 +81,7 @@ void Cache::write(const std::filesystem::path& file, std::string_view bytes) con
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error) return;
-    std::string name = file.string() + ".XXXXXX";
+    std::string name = file.string() + "." + std::string(6, 'X');  // what mkstemp replaces
     const int made = mkstemp(name.data());
     if (made < 0) return;
     bool whole = true;

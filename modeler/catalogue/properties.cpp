@@ -91,7 +91,7 @@ bool read_unit(std::string_view text, std::uint32_t& unit) {
     return true;
 }
 
-/// The code point of the \uXXXX at `at` (behind the u); two of them where they are a pair. `at` moves behind it.
+/// The code point of the four digits at `at` (behind a \u); two of them where they are a pair. `at` moves behind it.
 std::uint32_t read_escaped_code(std::string_view text, std::size_t& at, std::uint32_t unit) {
     at += 4;
     std::uint32_t low = 0;

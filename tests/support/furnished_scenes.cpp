@@ -15,6 +15,7 @@
 #include "plans/generate.h"
 #include "plans/random.h"
 #include "plans/read.h"
+#include "tests/support/box_triangles.h"
 
 namespace enfilade::test {
 namespace {
@@ -35,19 +36,7 @@ ObjectMesh box_mesh() {
     std::vector<Point> vertices;
     for (int k = 0; k < 8; ++k)
         vertices.push_back({(k & 1) ? 0.5f : -0.5f, (k & 2) ? 0.3f : -0.3f, (k & 4) ? 0.8f : 0.0f});
-    return coloured("box", vertices,
-                    {{0, 2, 1},
-                     {1, 2, 3},
-                     {4, 5, 6},
-                     {5, 7, 6},
-                     {0, 1, 4},
-                     {1, 5, 4},
-                     {2, 6, 3},
-                     {3, 6, 7},
-                     {0, 4, 2},
-                     {2, 4, 6},
-                     {1, 3, 5},
-                     {3, 7, 5}});
+    return coloured("box", vertices, box_triangles());
 }
 
 /// An octahedron's or icosahedron's faces halved again and again, on the unit sphere.

@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "tests/support/box_triangles.h"
+
 namespace enfilade::test {
 namespace {
 
@@ -21,20 +23,7 @@ std::vector<accel::InputMesh> meshes(std::uint32_t first_material) {
     std::vector<std::array<float, 3>> corners;
     for (int k = 0; k < 8; ++k)
         corners.push_back({(k & 1) ? 0.5f : -0.5f, (k & 2) ? 0.4f : -0.4f, (k & 4) ? 0.9f : 0.0f});
-    return {coloured("box", corners,
-                     {{0, 2, 1},
-                      {1, 2, 3},
-                      {4, 5, 6},
-                      {5, 7, 6},
-                      {0, 1, 4},
-                      {1, 5, 4},
-                      {2, 6, 3},
-                      {3, 6, 7},
-                      {0, 4, 2},
-                      {2, 4, 6},
-                      {1, 3, 5},
-                      {3, 7, 5}},
-                     first_material),
+    return {coloured("box", corners, box_triangles(), first_material),
             coloured("tetrahedron", {{-0.4f, -0.3f, 0}, {0.4f, -0.3f, 0}, {0, 0.3f, 0}, {0, 0, 0.7f}},
                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, first_material),
             coloured("flat", {{0, 0, 0}, {1, 0, 0}, {0.5f, 0, 0}}, {{0, 1, 2}, {0, 0, 0}, {1, 1, 2}}, first_material),

@@ -16,7 +16,7 @@ namespace enfilade::test {
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "enfilade-test-XXXXXX").string();
+        std::string name = (std::filesystem::temp_directory_path() / "enfilade-test-").string() + std::string(6, 'X');
         if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
         path_ = name;
     }
