@@ -48,24 +48,23 @@ print(json.load(sys.stdin)["counts"]["storeys"])')
 for ((storey = 0; storey < storeys; storey++)); do
     "$enfilade" render "$out/$name.enf" -o "$out/storey-$storey.png" --camera "dollhouse:$storey" --size 1280x960 --samples 2
 done
-room=$("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
-import json, sys
-rooms = json.load(sys.stdin)["rooms"]
-print(max(rooms, key=lambda r: (r["name"] != "", r["area_m2"]))["id"])')
-"$enfilade" render "$out/$name.enf" -o "$out/room.png" --room "$room" --size 1280x960 --samples 2
+# A look into the largest room; of a furnished building into eight.
+most=1
+samples=2
 if [ -n "$furnished" ]; then
-    # A look into each of the largest rooms, at eye height.
-    mapfile -t rooms < <("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
+    most=8
+    samples=3
+    "$enfilade" info "$out/$name.enf" --svg "$out/furniture.svg" >"$out/info.txt"
+fi
+mapfile -t rooms < <("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
 import json, sys
 info = json.load(sys.stdin)
 full = {space["id"] for space in (info["furniture"] or {"spaces": []})["spaces"]}
-rooms = sorted((r for r in info["rooms"] if r["id"] in full), key=lambda r: -r["area_m2"])
-print("\n".join(r["id"] for r in rooms[:8]))')
-    for ((k = 0; k < ${#rooms[@]}; k++)); do
-        "$enfilade" render "$out/$name.enf" -o "$out/room-$k.png" --room "${rooms[$k]}" --size 1280x960 --samples 3
-    done
-    "$enfilade" info "$out/$name.enf" --svg "$out/furniture.svg" >"$out/info.txt"
-fi
+rooms = sorted(info["rooms"], key=lambda r: (r["id"] in full, r["name"] != "", r["area_m2"]), reverse=True)
+print("\n".join(r["id"] for r in rooms[:int(sys.argv[1])]))' "$most")
+for ((k = 0; k < ${#rooms[@]}; k++)); do
+    "$enfilade" render "$out/$name.enf" -o "$out/room-$k.png" --room "${rooms[$k]}" --size 1280x960 --samples "$samples"
+done
 "$enfilade" export "$out/$name.enf" -o "$out/$name.glb"
 
 echo
