@@ -1,7 +1,6 @@
 #pragma once
 // How a ray meets the triangles of one mesh: a binary tree of boxes laid out as Aila and Laine's (2009), both boxes of
-// a pair in their parent, and the triangle test of Woop, Benthin and Wald (2013), which lets nothing through between
-// triangles that share an edge. Header-only, for host and device.
+// a pair in their parent. Header-only, for host and device.
 
 #include <cstdint>
 
@@ -9,7 +8,7 @@
 #include "render/isa.h"
 #include "render/math.h"
 #include "render/object_tracer.h"
-#include "render/vec.h"
+#include "render/triangle_test.h"
 
 namespace enfilade::render {
 
@@ -39,12 +38,10 @@ struct BvhView {
 
 inline namespace ENFILADE_ISA {
 
-/// What is computed once a ray: its shear (Woop et al., section 3), and slabs that are wider than those of the boxes by
-/// more than the roundings of that triangle test, which are relative to the distance from the ray's origin.
+/// What is computed once a ray: slabs that are wider than those of the boxes by more than the roundings of the triangle
+/// test, which are relative to the distance from the ray's origin.
 struct BvhRay {
-    int kx, ky, kz;  ///< kz: where the direction is longest
-    float shear_x, shear_y, shear_z;
-    float origin[3];
+    ShearedRay sheared;
     float inverse[3];      ///< of the direction; of 2^-100 where it is less than that
     float origin_low[3];   ///< what low planes are measured from
     float origin_high[3];  ///< and high planes
@@ -52,25 +49,17 @@ struct BvhRay {
 
 ENFILADE_HD BvhRay bvh_ray(const BvhView& bvh, const ObjectRay& ray) {
     BvhRay r;
-    r.origin[0] = ray.origin_x;
-    r.origin[1] = ray.origin_y;
-    r.origin[2] = ray.origin_z;
+    r.sheared = sheared_ray(ray);
+    const float* origin = r.sheared.origin;
     const float d[3] = {ray.direction_x, ray.direction_y, ray.direction_z};
-    const float ax = magnitude(d[0]), ay = magnitude(d[1]), az = magnitude(d[2]);
-    r.kz = az >= ax && az >= ay ? 2 : ay >= ax ? 1 : 0;
-    r.kx = r.kz == 2 ? 0 : r.kz + 1;
-    r.ky = r.kx == 2 ? 0 : r.kx + 1;
-    r.shear_z = 1.0f / d[r.kz];
-    r.shear_x = d[r.kx] * r.shear_z;
-    r.shear_y = d[r.ky] * r.shear_z;
     float farthest = 0;
     for (int k = 0; k < 3; ++k)
-        farthest = larger(farthest, larger(magnitude(bvh.low[k] - r.origin[k]), magnitude(bvh.high[k] - r.origin[k])));
+        farthest = larger(farthest, larger(magnitude(bvh.low[k] - origin[k]), magnitude(bvh.high[k] - origin[k])));
     const float slack = 0x1p-20f * farthest;
     for (int k = 0; k < 3; ++k) {
         r.inverse[k] = 1.0f / (magnitude(d[k]) >= 0x1p-100f ? d[k] : 0x1p-100f);
-        r.origin_low[k] = r.origin[k] + slack;
-        r.origin_high[k] = r.origin[k] - slack;
+        r.origin_low[k] = origin[k] + slack;
+        r.origin_high[k] = origin[k] - slack;
     }
     return r;
 }
@@ -90,54 +79,11 @@ ENFILADE_HD bool meets_box(const BvhNode& node, int child, const BvhRay& r, floa
     return enter <= leave;
 }
 
-/// Where the ray meets a triangle: the shares of its corners (not divided by their sum `sum`), and its parameter.
-struct TriangleMeeting {
-    float b, c, sum, t;
-};
-
-ENFILADE_HD const float* corner_place(const BvhView& bvh, std::uint32_t corner) {
-    return bvh.places + std::size_t{3} * corner;
-}
-
-/// Both sides are seen. Neighbours compute the same numbers for the edge that they share, of opposite signs, so that
-/// one of them is hit; what rounds to zero is computed again in double, where the products are exact.
-ENFILADE_HD bool meets_triangle(const BvhView& bvh, const BvhRay& r, std::uint32_t triangle, TriangleMeeting& at) {
+/// The triangle by its number in the mesh.
+ENFILADE_HD TriangleAt triangle_at(const BvhView& bvh, std::uint32_t triangle) {
     const accel::MeshTriangle& corners = bvh.triangles[triangle];
-    const float* pa = corner_place(bvh, corners.corners[0]);
-    const float* pb = corner_place(bvh, corners.corners[1]);
-    const float* pc = corner_place(bvh, corners.corners[2]);
-    const float ox = r.origin[r.kx], oy = r.origin[r.ky], oz = r.origin[r.kz];
-    const float a_along = pa[r.kz] - oz, b_along = pb[r.kz] - oz, c_along = pc[r.kz] - oz;
-    const float ax = (pa[r.kx] - ox) - r.shear_x * a_along, ay = (pa[r.ky] - oy) - r.shear_y * a_along;
-    const float bx = (pb[r.kx] - ox) - r.shear_x * b_along, by = (pb[r.ky] - oy) - r.shear_y * b_along;
-    const float cx = (pc[r.kx] - ox) - r.shear_x * c_along, cy = (pc[r.ky] - oy) - r.shear_y * c_along;
-    float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
-    if (u == 0.0f || v == 0.0f || w == 0.0f) {
-        u = static_cast<float>(double{cx} * double{by} - double{cy} * double{bx});
-        v = static_cast<float>(double{ax} * double{cy} - double{ay} * double{cx});
-        w = static_cast<float>(double{bx} * double{ay} - double{by} * double{ax});
-    }
-    if ((u < 0.0f || v < 0.0f || w < 0.0f) && (u > 0.0f || v > 0.0f || w > 0.0f)) return false;
-    const float sum = u + v + w;
-    if (!(sum < 0.0f || sum > 0.0f)) return false;
-    at = {v, w, sum, r.shear_z * (u * a_along + v * b_along + w * c_along) / sum};
-    return true;
-}
-
-/// The shares and the normal of the triangle that was met.
-ENFILADE_HD void describe_meeting(const BvhView& bvh, std::uint32_t triangle, const TriangleMeeting& at,
-                                  ObjectRay& ray) {
-    const accel::MeshTriangle& corners = bvh.triangles[triangle];
-    const float* a = corner_place(bvh, corners.corners[0]);
-    const float* b = corner_place(bvh, corners.corners[1]);
-    const float* c = corner_place(bvh, corners.corners[2]);
-    const Vec3f normal =
-        cross(Vec3f{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, Vec3f{c[0] - a[0], c[1] - a[1], c[2] - a[2]});
-    ray.normal_x = normal.x;
-    ray.normal_y = normal.y;
-    ray.normal_z = normal.z;
-    ray.u = at.b / at.sum;
-    ray.v = at.c / at.sum;
+    return {bvh.places + std::size_t{3} * corners.corners[0], bvh.places + std::size_t{3} * corners.corners[1],
+            bvh.places + std::size_t{3} * corners.corners[2]};
 }
 
 /// Finds the nearest triangle in [near, far] as ObjectTracer::nearest tells; of several at one distance the one that
@@ -176,7 +122,8 @@ ENFILADE_HD bool bvh_walk(const BvhView& bvh, ObjectRay& ray) {
                 entry = bvh.order[k++];
                 const std::uint32_t triangle = entry & ~last_bit;
                 TriangleMeeting meeting;
-                if (!meets_triangle(bvh, r, triangle, meeting) || !(meeting.t >= ray.near)) continue;
+                if (!meets_triangle(r.sheared, triangle_at(bvh, triangle), meeting) || !(meeting.t >= ray.near))
+                    continue;
                 if (!(meeting.t < ray.far || (meeting.t == ray.far && triangle < ray.triangle))) continue;
                 if (any) return true;
                 ray.far = meeting.t;
@@ -187,7 +134,7 @@ ENFILADE_HD bool bvh_walk(const BvhView& bvh, ObjectRay& ray) {
         }
         do {
             if (waiting_count == 0) {
-                if (is_found) describe_meeting(bvh, ray.triangle, best, ray);
+                if (is_found) describe_meeting(triangle_at(bvh, ray.triangle), best, ray);
                 return is_found;
             }
             at = waiting[--waiting_count];

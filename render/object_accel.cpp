@@ -1,6 +1,8 @@
 #include <vector>
 
+#include "render/object_rays.h"
 #include "render/object_tracer.h"
+#include "render/octree_objects.h"
 #include "render/plain_bvh.h"
 #if defined(ENFILADE_HAS_EMBREE)
 #include "render/embree_objects.h"
@@ -22,37 +24,7 @@ bool blocked(const void* state, accel::MeshId mesh, const ObjectRay& ray) {
 
 void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
     const BvhView& bvh = static_cast<const BvhView*>(state)[static_cast<std::uint32_t>(mesh)];
-    for (int i = 0; i < ObjectRays::count; ++i) {
-        if (valid[i] == 0) continue;
-        ObjectRay ray = {rays.origin_x[i],
-                         rays.origin_y[i],
-                         rays.origin_z[i],
-                         rays.near[i],
-                         rays.direction_x[i],
-                         rays.direction_y[i],
-                         rays.direction_z[i],
-                         0,
-                         rays.far[i],
-                         ~0u,
-                         0,
-                         0,
-                         0,
-                         0,
-                         0,
-                         0,
-                         0,
-                         rays.triangle[i],
-                         0,
-                         0};
-        if (!bvh_walk<false>(bvh, ray)) continue;
-        rays.far[i] = ray.far;
-        rays.normal_x[i] = ray.normal_x;
-        rays.normal_y[i] = ray.normal_y;
-        rays.normal_z[i] = ray.normal_z;
-        rays.u[i] = ray.u;
-        rays.v[i] = ray.v;
-        rays.triangle[i] = ray.triangle;
-    }
+    one_by_one(valid, rays, [&](ObjectRay& ray) { return bvh_walk<false>(bvh, ray); });
 }
 
 class PlainObjects final : public ObjectAccel {
@@ -88,14 +60,13 @@ private:
 }  // namespace
 
 std::unique_ptr<ObjectAccel> build_object_accel(const accel::SceneView& scene, ObjectAccelKind kind,
-                                                const accel::Executor& executor) {
+                                                const accel::Executor& executor, const accel::OctreeOptions& octrees) {
     // Objects that no cell lists are never asked.
     std::vector<bool> used(scene.meshes.size(), false);
     for (const accel::ObjectId object : scene.cell_objects) used[index(scene.objects[index(object)].mesh)] = true;
+    if (kind == ObjectAccelKind::Octree) return detail::build_octree_objects(scene, used, octrees, executor);
 #if defined(ENFILADE_HAS_EMBREE)
     if (kind == ObjectAccelKind::Bvh) return detail::build_embree_objects(scene, used, executor);
-#else
-    (void)kind;
 #endif
     return std::make_unique<PlainObjects>(scene, used, executor);
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "accel/octree/octree.h"
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
 
@@ -64,8 +65,9 @@ struct ObjectTracer {
 };
 
 enum class ObjectAccelKind {
-    Bvh,   ///< Embree's where it was built with it, else as Plain
-    Plain  ///< our own binary tree of boxes, one ray at a time
+    Bvh,    ///< Embree's where it was built with it, else as Plain
+    Plain,  ///< our own binary tree of boxes, one ray at a time
+    Octree  ///< our own octree, leaf by leaf
 };
 
 /// A structure for each mesh of a scene that some object uses.
@@ -73,13 +75,15 @@ class ObjectAccel {
 public:
     virtual ~ObjectAccel() = default;
     [[nodiscard]] virtual ObjectTracer tracer() const = 0;
-    [[nodiscard]] virtual std::string_view name() const = 0;  ///< "embree" or "plain"
+    [[nodiscard]] virtual std::string_view name() const = 0;  ///< "embree", "plain" or "octree"
     [[nodiscard]] virtual std::size_t bytes() const = 0;      ///< what it takes, without the scene's own arrays
 };
 
 /// Builds it on the cores of `executor`. The view's memory must outlive it. Meshes without triangles, and triangles
-/// without area or with corners that are no numbers, are never hit. \throws IoError if Embree fails
+/// without area or with corners that are no numbers, are never hit. octrees: where such are built. \throws IoError if
+/// Embree fails
 [[nodiscard]] std::unique_ptr<ObjectAccel> build_object_accel(const accel::SceneView& scene, ObjectAccelKind kind,
-                                                              const accel::Executor& executor);
+                                                              const accel::Executor& executor,
+                                                              const accel::OctreeOptions& octrees = {});
 
 }  // namespace enfilade::render

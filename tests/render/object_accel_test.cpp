@@ -64,8 +64,13 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Both, ObjectAccelTest, ::testing::Values(ObjectAccelKind::Bvh, ObjectAccelKind::Plain),
-                         [](const auto& kind) { return kind.param == ObjectAccelKind::Bvh ? "Bvh" : "Plain"; });
+INSTANTIATE_TEST_SUITE_P(All, ObjectAccelTest,
+                         ::testing::Values(ObjectAccelKind::Bvh, ObjectAccelKind::Plain, ObjectAccelKind::Octree),
+                         [](const auto& kind) {
+                             return kind.param == ObjectAccelKind::Bvh     ? "Bvh"
+                                    : kind.param == ObjectAccelKind::Plain ? "Plain"
+                                                                           : "Octree";
+                         });
 
 TEST_P(ObjectAccelTest, FindsWhatBruteForceFinds) {
     const accel::Scene scene = test::room_of_meshes({test::ball_mesh(20, 1), test::box_mesh({-1, -1, -1}, {1, 1, 1}),

@@ -1,0 +1,75 @@
+#include "accel/octree/linked_octree.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace enfilade::accel {
+namespace {
+
+constexpr std::size_t fields = 10;  ///< nine coordinates and the number
+constexpr std::size_t padding = 16;
+
+}  // namespace
+
+LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Executor& executor)
+    : frame_(tree.frame), root_(tree.root), children_(tree.children) {
+    if (tree.is_empty()) return;
+    std::ranges::fill(low_, std::numeric_limits<float>::max());
+    std::ranges::fill(high_, -std::numeric_limits<float>::max());
+    for (const std::uint32_t t : mesh.used) {
+        for (const std::uint32_t corner : mesh.triangles[t].corners) {
+            const Vertex& v = mesh.places[corner];
+            const float p[3] = {v.x, v.y, v.z};
+            for (int k = 0; k < 3; ++k) {
+                low_[k] = std::min(low_[k], p[k]);
+                high_[k] = std::max(high_[k], p[k]);
+            }
+        }
+    }
+    leaves_.resize(tree.leaves.size());
+    corners_.assign(tree.references.size() * fields + padding, 0.0f);
+    const std::uint32_t side = 1u << tree.frame.depth;
+    parallel_for(executor, tree.leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const OctreeLeaf& from = tree.leaves[i];
+            LinkedLeaf& to = leaves_[i];
+            const std::uint32_t width = tree.width(from);
+            for (std::size_t k = 0; k < 3; ++k) {
+                to.low[k] = static_cast<float>(from.low[k]);
+                to.high[k] = static_cast<float>(from.low[k] + width);
+                const bool is_border[2] = {from.low[k] == 0, from.low[k] + width == side};
+                for (std::size_t up = 0; up < 2; ++up) {
+                    to.rope[2 * k + up] = tree.root;
+                    to.rope_level[2 * k + up] = is_border[up] ? no_neighbour : 0;
+                }
+            }
+            to.first = static_cast<std::uint32_t>(fields * from.first);
+            to.count = from.count;
+            for (std::uint32_t j = 0; j < from.count; ++j) {
+                const std::uint32_t t = tree.references[from.first + j];
+                float* at = corners_.data() + to.first + j;
+                for (const std::uint32_t corner : mesh.triangles[t].corners) {
+                    const Vertex& v = mesh.places[corner];
+                    for (const float p : {v.x, v.y, v.z}) {
+                        *at = p;
+                        at += from.count;
+                    }
+                }
+                *at = std::bit_cast<float>(t);
+            }
+        }
+    });
+}
+
+OctreeView LinkedOctree::view() const {
+    return {frame_,
+            root_,
+            children_.data(),
+            leaves_.empty() ? nullptr : leaves_.data(),
+            corners_.data(),
+            {low_[0], low_[1], low_[2]},
+            {high_[0], high_[1], high_[2]}};
+}
+
+}  // namespace enfilade::accel

@@ -1,0 +1,82 @@
+#pragma once
+// The octree over the triangles of one mesh, as it is built: a tree of eighths whose leaves list triangles. Layouts
+// that rays walk are made of it (linked_octree.h, README.md).
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "accel/parallel_for.h"
+#include "accel/scene.h"
+
+namespace enfilade::accel {
+
+/// Where a mesh lies in its octree's lattice: the corner `low` is at 0, the smallest possible cell is 1 wide, the root
+/// `side()`. Everything about an octree is counted in it, so its boxes are whole numbers, whatever the mesh's place and
+/// size.
+struct OctreeFrame {
+    std::array<float, 3> low = {0, 0, 0};
+    std::array<float, 3> cells_a_unit = {1, 1, 1};  ///< lattice = (p - low) * cells_a_unit
+    std::uint32_t depth = 0;                        ///< of the smallest cells
+    [[nodiscard]] ENFILADE_HD float side() const { return static_cast<float>(1u << depth); }
+};
+
+/// No octree is deeper: lattice coordinates stay exact in float, keys fit 64 bits.
+inline constexpr std::uint32_t largest_octree_depth = 20;
+
+/// A triangle belongs to a leaf whose box, wider by this share of the root's side on all sides, it meets: more than
+/// what rounding moves a ray that is walked (near_ray.h).
+inline constexpr double octree_slack = 0x1p-20;
+
+struct OctreeOptions {
+    static constexpr std::uint32_t automatic = 0xffffffffu;
+    std::uint32_t depth = automatic;  ///< of the smallest cells; automatic: by the mesh's size, where cost alone stops
+    std::uint32_t leaf_size = 16;     ///< leaves with no more triangles are not split
+    bool is_balanced = false;         ///< neighbours differ by one level at most (2:1)
+};
+
+/// A child of a node: a leaf or an inner node, by number.
+struct OctreeEntry {
+    static constexpr std::uint32_t leaf_bit = 0x80000000u;
+    std::uint32_t bits = leaf_bit;
+    [[nodiscard]] ENFILADE_HD bool is_leaf() const { return (bits & leaf_bit) != 0; }
+    [[nodiscard]] ENFILADE_HD std::uint32_t number() const { return bits & ~leaf_bit; }
+    static constexpr OctreeEntry leaf(std::uint32_t number) { return {leaf_bit | number}; }
+    static constexpr OctreeEntry inner(std::uint32_t number) { return {number}; }
+    friend constexpr bool operator==(OctreeEntry, OctreeEntry) = default;
+};
+
+struct OctreeLeaf {
+    std::array<std::uint32_t, 3> low;  ///< its corner in the lattice
+    std::uint32_t level;               ///< 0: the root; it is 2^(depth - level) wide
+    std::uint32_t first;               ///< into `references`
+    std::uint32_t count;
+};
+
+/// Octant i of a node has bit 0 of i where x is in the upper half, bit 1 for y, bit 2 for z; so leaves stand in Morton
+/// order.
+struct Octree {
+    OctreeFrame frame;
+    OctreeEntry root;
+    std::vector<OctreeEntry> children;  ///< [inner node][8]
+    std::vector<OctreeLeaf> leaves;
+    std::vector<std::uint32_t> references;  ///< triangles of the mesh, ascending in each leaf
+
+    [[nodiscard]] bool is_empty() const { return references.empty(); }
+    [[nodiscard]] std::uint32_t width(const OctreeLeaf& leaf) const { return 1u << (frame.depth - leaf.level); }
+};
+
+/// Triangles as builders see them. The memory is the scene's.
+struct MeshPart {
+    const Vertex* places = nullptr;           ///< of the mesh's vertices
+    const MeshTriangle* triangles = nullptr;  ///< of the mesh
+    std::span<const std::uint32_t> used;      ///< which of them, ascending; none of them without area
+};
+
+/// Builds it on the cores of `executor`; the result does not depend on them. However the triangles lie, depth and
+/// memory are bounded: where splitting separates nothing it ends. Cost: about 1 us a triangle and core.
+[[nodiscard]] Octree build_octree(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor);
+
+}  // namespace enfilade::accel
