@@ -2,35 +2,41 @@
 
 #include "accel/octree/linked_octree.h"
 #include "render/mesh_soundness.h"
-#include "render/object_rays.h"
-#include "render/octree_walk.h"
+#include "render/octree_kernels.h"
 
 namespace enfilade::render::detail {
 namespace {
 
 constexpr std::uint32_t large_mesh = 1 << 16;  ///< triangles: cores share the work on one
 
-const accel::OctreeView& tree_of(const void* state, accel::MeshId mesh) {
-    return static_cast<const accel::OctreeView*>(state)[static_cast<std::uint32_t>(mesh)];
+/// What the functions below are given.
+struct State {
+    const OctreeKernels* kernels;
+    const accel::OctreeView* trees;  ///< [mesh]
+};
+
+const accel::OctreeView& tree_of(const State& state, accel::MeshId mesh) {
+    return state.trees[static_cast<std::uint32_t>(mesh)];
 }
 
-void nearest(const void* state, accel::MeshId mesh, ObjectRay& ray) {
-    NoOctreeEvents events;
-    octree_walk<false>(tree_of(state, mesh), ray, events);
+void nearest(const void* given, accel::MeshId mesh, ObjectRay& ray) {
+    const auto& state = *static_cast<const State*>(given);
+    state.kernels->nearest(tree_of(state, mesh), ray);
 }
 
-bool blocked(const void* state, accel::MeshId mesh, const ObjectRay& ray) {
-    NoOctreeEvents events;
-    ObjectRay asked = ray;
-    return octree_walk<true>(tree_of(state, mesh), asked, events);
+bool blocked(const void* given, accel::MeshId mesh, const ObjectRay& ray) {
+    const auto& state = *static_cast<const State*>(given);
+    return state.kernels->blocked(tree_of(state, mesh), ray);
 }
 
-void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
-    const accel::OctreeView& tree = tree_of(state, mesh);
-    one_by_one(valid, rays, [&](ObjectRay& ray) {
-        NoOctreeEvents events;
-        return octree_walk<false>(tree, ray, events);
-    });
+void nearest16(const void* given, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    const auto& state = *static_cast<const State*>(given);
+    state.kernels->nearest16(tree_of(state, mesh), valid, rays);
+}
+
+void nearest16_apart(const void* given, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    const auto& state = *static_cast<const State*>(given);
+    state.kernels->nearest16_apart(tree_of(state, mesh), valid, rays);
 }
 
 class OctreeObjects final : public ObjectAccel {
@@ -45,10 +51,12 @@ public:
         for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
             if (used[mesh] && is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, executor);
         for (const accel::LinkedOctree& tree : trees_) views_.push_back(tree.view());
+        const OctreeKernels* lanes = octree_lane_kernels();
+        state_ = {lanes != nullptr ? lanes : &octree_kernels(), views_.data()};
     }
 
     [[nodiscard]] ObjectTracer tracer() const override {
-        return {views_.data(), &nearest, &nearest16, &nearest16, &blocked};
+        return {&state_, &nearest, &nearest16, &nearest16_apart, &blocked};
     }
     [[nodiscard]] std::string_view name() const override { return "octree"; }
     [[nodiscard]] std::size_t bytes() const override {
@@ -72,6 +80,7 @@ private:
 
     std::vector<accel::LinkedOctree> trees_;
     std::vector<accel::OctreeView> views_;
+    State state_;
 };
 
 }  // namespace

@@ -1,0 +1,18 @@
+// Sixteen rays through an octree together.
+// No include guard: octree.cpp includes it once for every instruction set.
+
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render {
+namespace HWY_NAMESPACE {
+
+void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
+    one_by_one(valid, rays, [&](ObjectRay& ray) { return octree_nearest(tree, ray); });
+}
+
+void octree_nearest16_apart(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
+    one_by_one(valid, rays, [&](ObjectRay& ray) { return octree_nearest(tree, ray); });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render
+HWY_AFTER_NAMESPACE();
