@@ -30,6 +30,21 @@ inline constexpr std::uint32_t largest_octree_depth = 20;
 /// what rounding moves a ray that is walked (near_ray.h).
 inline constexpr double octree_slack = 0x1p-20;
 
+/// What a walk is expected to spend, in any unit (README.md: nanoseconds of our walks).
+struct OctreeCost {
+    double full_leaf = 14;   ///< a step into a leaf with triangles and out of it
+    double empty_leaf = 10;  ///< the same without any
+    double block = 10;       ///< a register of triangles, full or not
+    static constexpr std::uint32_t block_size = 16;
+
+    [[nodiscard]] static constexpr std::uint32_t blocks(std::uint32_t triangles) {
+        return triangles / block_size + (triangles % block_size != 0 ? 1 : 0);
+    }
+    [[nodiscard]] constexpr double of_leaf(std::uint32_t triangles) const {
+        return triangles == 0 ? empty_leaf : full_leaf + block * blocks(triangles);
+    }
+};
+
 struct OctreeOptions {
     static constexpr std::uint32_t automatic = 0xffffffffu;
     std::uint32_t depth = automatic;  ///< of the smallest cells; automatic: by the mesh's size, where cost alone stops
