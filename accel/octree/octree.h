@@ -45,11 +45,20 @@ struct OctreeCost {
     }
 };
 
+/// What rays walk.
+enum class OctreeLayout : std::uint8_t {
+    Linked,  ///< ours (linked_octree.h)
+    Ropes    ///< the paper's (rope_octree.h), balanced if the tree is
+};
+
 struct OctreeOptions {
     static constexpr std::uint32_t automatic = 0xffffffffu;
     std::uint32_t depth = automatic;  ///< of the smallest cells; automatic: by the mesh's size, where cost alone stops
     std::uint32_t leaf_size = 16;     ///< leaves with no more triangles are not split
     bool is_balanced = false;         ///< neighbours differ by one level at most (2:1)
+    OctreeLayout layout = OctreeLayout::Linked;
+    bool has_stored_boxes = false;  ///< with Ropes: boxes are stored, not computed
+    bool walks_in_double = false;   ///< with Ropes: sides of edges are computed in double
 };
 
 /// A child of a node: a leaf or an inner node, by number.
