@@ -64,10 +64,13 @@ std::unique_ptr<ObjectAccel> build_object_accel(const accel::SceneView& scene, O
     // Objects that no cell lists are never asked.
     std::vector<bool> used(scene.meshes.size(), false);
     for (const accel::ObjectId object : scene.cell_objects) used[index(scene.objects[index(object)].mesh)] = true;
-    if (kind == ObjectAccelKind::Octree) return detail::build_octree_objects(scene, used, octrees, executor);
 #if defined(ENFILADE_HAS_EMBREE)
+    if (kind == ObjectAccelKind::Automatic) kind = ObjectAccelKind::Bvh;
     if (kind == ObjectAccelKind::Bvh) return detail::build_embree_objects(scene, used, executor);
+#else
+    if (kind == ObjectAccelKind::Automatic) kind = ObjectAccelKind::Octree;
 #endif
+    if (kind == ObjectAccelKind::Octree) return detail::build_octree_objects(scene, used, octrees, executor);
     return std::make_unique<PlainObjects>(scene, used, executor);
 }
 

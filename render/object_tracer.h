@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
-#include "accel/octree/octree.h"
+#include "accel/octree/linked_octree.h"
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
 
@@ -65,9 +66,10 @@ struct ObjectTracer {
 };
 
 enum class ObjectAccelKind {
-    Bvh,    ///< Embree's where it was built with it, else as Plain
-    Plain,  ///< our own binary tree of boxes, one ray at a time
-    Octree  ///< our own octree, leaf by leaf
+    Automatic,  ///< what is fastest here: Embree's trees where it was built with it, else octrees
+    Bvh,        ///< Embree's where it was built with it, else as Plain
+    Plain,      ///< our own binary tree of boxes, one ray at a time
+    Octree      ///< our own octree, leaf by leaf
 };
 
 /// A structure for each mesh of a scene that some object uses.
@@ -77,6 +79,8 @@ public:
     [[nodiscard]] virtual ObjectTracer tracer() const = 0;
     [[nodiscard]] virtual std::string_view name() const = 0;  ///< "embree", "plain" or "octree"
     [[nodiscard]] virtual std::size_t bytes() const = 0;      ///< what it takes, without the scene's own arrays
+    /// [mesh], where octrees were built; empty elsewhere. Of meshes that nobody asks for, trees that nothing ever hits.
+    [[nodiscard]] virtual std::span<const accel::OctreeView> octrees() const { return {}; }
 };
 
 /// Builds it on the cores of `executor`. The view's memory must outlive it. Meshes without triangles, and triangles

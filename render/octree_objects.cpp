@@ -64,6 +64,7 @@ public:
         for (const accel::LinkedOctree& tree : trees_) sum += tree.bytes();
         return sum;
     }
+    [[nodiscard]] std::span<const accel::OctreeView> octrees() const override { return views_; }
 
 private:
     static accel::LinkedOctree tree_for(const accel::SceneView& scene, std::size_t m,

@@ -84,7 +84,7 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
     std::unique_ptr<ObjectAccel> own_accel;
     ObjectTracer objects;
     if (scene.has_objects()) {
-        if (options.objects == nullptr) own_accel = build_object_accel(scene, ObjectAccelKind::Bvh, executor);
+        if (options.objects == nullptr) own_accel = build_object_accel(scene, ObjectAccelKind::Automatic, executor);
         objects = options.objects != nullptr ? *options.objects : own_accel->tracer();
         job.objects = &objects;
     }

@@ -7,7 +7,6 @@
 #include "accel/scene_file.h"
 #include "base/error.h"
 #include "render/executor.h"
-#include "render/object_tracer.h"
 #include "render/oracle.h"
 #include "render/trace.h"
 #include "tools/bench.h"
@@ -15,6 +14,7 @@
 #include "tools/commands.h"
 #include "tools/count_pictures.h"
 #include "tools/exit_code.h"
+#include "tools/object_accel.h"
 #include "tools/picture_files.h"
 #include "tools/progress.h"
 #include "tools/ray_report.h"
@@ -127,33 +127,13 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     return render::trace(scene, view.camera, trace);
 }
 
-/// What stands in the rooms, as it was made ready to be asked by rays.
-struct SeenObjects {
-    std::size_t count = 0;
-    std::string accel;  ///< empty: nothing stands there
-    std::size_t bytes = 0;
-    double seconds = 0;
-};
-
-std::unique_ptr<render::ObjectAccel> prepare_objects(const RenderOptions& options, const accel::SceneView& scene,
-                                                     const accel::Executor& executor, SeenObjects& seen) {
-    if (!scene.has_objects()) return nullptr;
-    std::unique_ptr<render::ObjectAccel> accel;
-    seen.seconds = seconds_of(
-        [&] { accel = render::build_object_accel(scene, object_accel_kind(options.object_accel), executor); });
-    seen.count = scene.objects.size();
-    seen.accel = accel->name();
-    seen.bytes = accel->bytes();
-    return accel;
-}
-
 /// What one run made.
 struct Pictures {
     std::vector<Shot> shots;
     std::vector<std::filesystem::path> paths;
     std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
     render::RayStats stats;
-    SeenObjects objects;
+    ObjectsSummary objects;
     std::string counted;  ///< what false colours show; empty: pictures of light
     nlohmann::ordered_json counts;
 
@@ -168,7 +148,8 @@ struct Pictures {
     }
 };
 
-Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice, const Console& console) {
+Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice, const ObjectAccelChoice& accel,
+                       const Console& console) {
     Pictures made;
     Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
     const accel::Scene scene = accel::open(options.scene);
@@ -181,16 +162,17 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     PictureFiles files(options.output, names);
     const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
     std::optional<CountPictures> counts;
-    std::unique_ptr<render::ObjectAccel> accel;
+    PreparedObjects prepared;
     if (!options.show.empty()) {
         std::vector<View> views;
         for (const Shot& shot : made.shots) views.push_back(shot.view);
         counts.emplace(view, views, options.show, *cores);
     } else if (!choice.is_oracle) {
-        accel = prepare_objects(options, view, *cores, made.objects);
+        prepared = prepare_objects(view, accel, *cores);
     }
-    const render::ObjectTracer tracer = accel ? accel->tracer() : render::ObjectTracer{};
-    const render::ObjectTracer* objects = accel ? &tracer : nullptr;
+    made.objects = prepared.summary;
+    const render::ObjectTracer tracer = prepared.accel ? prepared.accel->tracer() : render::ObjectTracer{};
+    const render::ObjectTracer* objects = prepared.accel ? &tracer : nullptr;
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
@@ -239,12 +221,7 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     if (choice.has_packets())
         json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
     json["mirror_floor"] = choice.mirror_floor;
-    json["objects"] = nullptr;
-    if (!made.objects.accel.empty())
-        json["objects"] = {{"count", made.objects.count},
-                           {"accel", made.objects.accel},
-                           {"bytes", made.objects.bytes},
-                           {"seconds", made.objects.seconds}};
+    json["objects"] = made.objects.json();
     json["shading"] = options.shading;
     json["width"] = made.shots.front().view.camera.width;
     json["height"] = made.shots.front().view.camera.height;
@@ -270,7 +247,8 @@ int run_render(const RenderOptions& options, const Console& console) {
     check_picture_name(options.output);  // a wrong flag is said before the work
     const auto [width, height] = parse_size(options.size);
     const TracerChoice choice = tracer_choice(options);
-    const Pictures made = make_pictures(options, choice, console);
+    const ObjectAccelChoice accel = object_accel_choice(options.object_accel);
+    const Pictures made = make_pictures(options, choice, accel, console);
     if (console.json()) {
         console.print(dump(render_json(options, choice, made)));
         return exit_ok;
@@ -281,7 +259,7 @@ int run_render(const RenderOptions& options, const Console& console) {
                                         : " to " + made.paths.back().filename().string() + ": " +
                                               counted(made.paths.size(), "picture") + " of " + size) +
                 " in " + time_text(made.seconds()) + (made.counted.empty() ? "" : "; " + made.counted) + '.');
-    if (options.stats) console.print(ray_report(made.stats, made.pixels()));
+    if (options.stats) console.print(ray_report(made.stats, made.pixels()) + made.objects.report());
     return exit_ok;
 }
 

@@ -4,15 +4,14 @@
 #include "accel/scene_file.h"
 #include "base/error.h"
 #include "render/executor.h"
-#include "render/object_tracer.h"
 #include "tools/bench.h"
 #include "tools/commands.h"
 #include "tools/exit_code.h"
+#include "tools/object_accel.h"
 #include "tools/output_file.h"
 #include "tools/progress.h"
 #include "tools/query_rays.h"
 #include "tools/scene_solids.h"
-#include "tools/trace_flags.h"
 
 namespace enfilade::tools {
 
@@ -78,12 +77,14 @@ QueryReport answer(const TraceCommandOptions& options, const accel::Scene& scene
 
 std::uint64_t count_of(const QueryReport& report, RayStatus status) { return report.of_status[std::size_t(status)]; }
 
-Json report_json(const TraceCommandOptions& options, const QueryReport& report, double seconds) {
+Json report_json(const TraceCommandOptions& options, const QueryReport& report, const ObjectsSummary& seen,
+                 double seconds) {
     Json json = {{"command", "trace"},
                  {"input", options.scene.string()},
                  {"rays_file", options.rays.string()},
                  {"output", options.output.string()},
                  {"query", options.query}};
+    json["objects"] = seen.json();
     json["rays"] = report.rays;
     if (options.query == "all") {
         json["offsets_output"] = offsets_path(options.output).string();
@@ -133,8 +134,10 @@ std::string report_text(const TraceCommandOptions& options, const QueryReport& r
 
 int run_trace(const TraceCommandOptions& options, const Console& console) {
     check_flags(options);
+    const ObjectAccelChoice accel = object_accel_choice(options.object_accel);
     (void)output_path(options.output);  // what cannot be written is said before the work
     QueryReport report;
+    ObjectsSummary seen;
     double seconds = 0;
     bool has_model = true;
     {
@@ -147,11 +150,12 @@ int run_trace(const TraceCommandOptions& options, const Console& console) {
         query.precision = options.real == "double" ? render::Precision::Double : render::Precision::Float;
         query.executor = cores.get();
         query.progress = [&](double done) { progress.fraction(done); };
-        std::unique_ptr<render::ObjectAccel> accel;
+        PreparedObjects prepared;
         render::ObjectTracer objects;
         if (scene.view().has_objects() && !options.no_objects && options.query != "all") {
-            accel = render::build_object_accel(scene.view(), object_accel_kind(options.object_accel), *cores);
-            objects = accel->tracer();
+            prepared = prepare_objects(scene.view(), accel, *cores);
+            seen = prepared.summary;
+            objects = prepared.accel->tracer();
             query.objects = &objects;
         }
         render::Solids solids;
@@ -165,7 +169,7 @@ int run_trace(const TraceCommandOptions& options, const Console& console) {
     }
     if (!has_model)
         console.say("The scene was stripped: solids are named by the faces that light sees, and not told apart.");
-    if (console.json()) console.print(report_json(options, report, seconds).dump(2) + '\n');
+    if (console.json()) console.print(report_json(options, report, seen, seconds).dump(2) + '\n');
     else console.say(report_text(options, report, seconds));
     return exit_ok;
 }

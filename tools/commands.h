@@ -124,6 +124,14 @@ struct InfoOptions {
 };
 int run_info(const InfoOptions& options, const Console& console);
 
+/// How rays find the triangles of objects: flags that `render` and `trace` share (object_accel.h).
+struct ObjectAccelFlags {
+    std::string kind;                           ///< "bvh", "plain" or "octree"; empty: the fastest that was built
+    std::optional<std::uint32_t> octree_depth;  ///< nothing: by the mesh
+    std::optional<std::uint32_t> octree_leaf;
+    bool octree_balance = false;
+};
+
 struct RenderOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< of several views: a folder, or a name with %02d
@@ -136,11 +144,11 @@ struct RenderOptions {
     std::string packets;                      ///< "64:8"; empty: the usual ones
     std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors
     std::string shading = "look";
-    std::string show;                  ///< "cells" or "sides" a ray in false colours; empty: light
-    bool stats = false;                ///< say what happened to the rays
-    std::string object_accel = "bvh";  ///< or "plain"
-    bool no_objects = false;           ///< rooms without what stands in them
-    std::optional<double> fov_deg;     ///< nothing: the view's own
+    std::string show;    ///< "cells" or "sides" a ray in false colours; empty: light
+    bool stats = false;  ///< say what happened to the rays
+    ObjectAccelFlags object_accel;
+    bool no_objects = false;        ///< rooms without what stands in them
+    std::optional<double> fov_deg;  ///< nothing: the view's own
     std::uint32_t samples = 2;
     std::uint32_t threads = 0;  ///< 0: all
 };
@@ -153,9 +161,9 @@ struct TraceCommandOptions {
     std::filesystem::path rays;    ///< .npy
     std::filesystem::path output;  ///< .npy
     std::string query = "nearest";
-    std::string real;                  ///< empty: what the query takes
-    std::string tracer;                ///< empty: the fastest
-    std::string object_accel = "bvh";  ///< or "plain"
+    std::string real;    ///< empty: what the query takes
+    std::string tracer;  ///< empty: the fastest
+    ObjectAccelFlags object_accel;
     bool no_objects = false;
     std::uint32_t threads = 0;
 };

@@ -1,8 +1,32 @@
 // Flags of the commands that read scenes.
 
+#include "accel/octree/octree.h"
 #include "tools/flags.h"
 
 namespace enfilade::tools {
+
+namespace {
+
+constexpr std::uint32_t largest_leaf = 4096;
+
+void add_object_accel(CLI::App* command, ObjectAccelFlags& flags) {
+    add_value(
+        command, "--object-accel", flags.kind, "KIND",
+        "how rays find the triangles of objects: bvh, by Embree's tree of boxes where this was built with Embree, "
+        "else as plain; plain, by our own tree of boxes; octree, by our own octree, from leaf to leaf (bvh where "
+        "this was built with Embree, else octree)")
+        ->check(CLI::IsMember({"bvh", "plain", "octree"}));
+    add_value(command, "--octree-depth", flags.octree_depth, "N",
+              "of octrees: no leaf is smaller than their box halved that often (as deep as pays for the mesh)")
+        ->check(CLI::Range(1u, accel::largest_octree_depth));
+    add_value(command, "--octree-leaf", flags.octree_leaf, "N",
+              "of octrees: leaves with no more triangles than this are not split (16)")
+        ->check(CLI::Range(1u, largest_leaf));
+    command->add_flag("--octree-balance", flags.octree_balance,
+                      "of octrees: leaves that touch differ by one level at most, as in the paper; more leaves");
+}
+
+}  // namespace
 
 void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
     CLI::App* command = add_command(app, invocation, options, "info",
@@ -71,11 +95,7 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
               "instead of light, in false colours what each pixel's ray costs the scalar tracer: cells, the ones it "
               "enters, or sides, the vertical lines it is tested against")
         ->check(CLI::IsMember({"cells", "sides"}));
-    add_value(
-        command, "--object-accel", options.object_accel, "KIND",
-        "how rays find the triangles of furniture: bvh, by Embree where it was built with it; plain, by our own tree "
-        "of boxes (bvh)")
-        ->check(CLI::IsMember({"bvh", "plain"}));
+    add_object_accel(command, options.object_accel);
     command->add_flag("--no-objects", options.no_objects, "show the rooms without what stands in them");
     command->add_flag(
         "--stats", options.stats,
@@ -104,11 +124,7 @@ void add_trace(CLI::App& app, Invocation& invocation, TraceCommandOptions& optio
     add_value(command, "--tracer", options.tracer, "NAME",
               "scalar: one ray at a time; simd: as many as a register holds; packet: whichever is fastest (packet)")
         ->check(CLI::IsMember({"scalar", "simd", "packet"}));
-    add_value(
-        command, "--object-accel", options.object_accel, "KIND",
-        "how rays find the triangles of furniture: bvh, by Embree where it was built with it; plain, by our own tree "
-        "of boxes (bvh)")
-        ->check(CLI::IsMember({"bvh", "plain"}));
+    add_object_accel(command, options.object_accel);
     command->add_flag("--no-objects", options.no_objects,
                       "walk through rooms without what stands in them; --query all always does");
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");

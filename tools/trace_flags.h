@@ -1,9 +1,8 @@
 #pragma once
-// What --tracer, --real, --packets, --mirror-floor and --object-accel ask for.
+// What --tracer, --real, --packets and --mirror-floor ask for.
 
 #include <string>
 
-#include "render/object_tracer.h"
 #include "render/trace.h"
 #include "tools/commands.h"
 
@@ -27,16 +26,5 @@ struct TracerChoice {
 /// everything else packets; --show asks for
 /// the scalar one. Throws InputError (F130 to F133, F138) with one sentence for what is wrong or contradicts itself.
 [[nodiscard]] TracerChoice tracer_choice(const RenderOptions& options);
-
-/// \pre name is "bvh" or "plain"
-[[nodiscard]] inline render::ObjectAccelKind object_accel_kind(const std::string& name) {
-    return name == "plain" ? render::ObjectAccelKind::Plain : render::ObjectAccelKind::Bvh;
-}
-
-/// The same rooms without what stands in them.
-[[nodiscard]] inline accel::SceneView without_objects(accel::SceneView scene) {
-    scene.objects = {};
-    return scene;
-}
 
 }  // namespace enfilade::tools

@@ -80,6 +80,9 @@ class Trace(unittest.TestCase):
         self.assertGreater((double["object"] == hits["object"]).mean(), 0.999)
         plain = self.nearest(self.rays, "--object-accel", "plain", scene=self.furnished)
         self.assertGreater((plain["object"] == hits["object"]).mean(), 0.999)
+        octree = self.nearest(self.rays, "--object-accel", "octree", scene=self.furnished)
+        np.testing.assert_array_equal(octree["object"], plain["object"])
+        np.testing.assert_array_equal(octree["triangle"], plain["triangle"])
         ends = self.rays[:, :3] + 3 * self.rays[:, 3:6]
         self.assertGreater(trace_rays.blocked(ENFILADE, self.furnished, self.rays[:, :3], ends).sum(),
                            trace_rays.blocked(ENFILADE, self.scene, self.rays[:, :3], ends).sum())
