@@ -7,10 +7,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 
-#include "accel/octree/linked_octree.h"
+#include "accel/octree/octree.h"
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
 
@@ -72,6 +71,8 @@ enum class ObjectAccelKind {
     Octree      ///< our own octree, leaf by leaf
 };
 
+class OctreeCounter;
+
 /// A structure for each mesh of a scene that some object uses.
 class ObjectAccel {
 public:
@@ -79,8 +80,8 @@ public:
     [[nodiscard]] virtual ObjectTracer tracer() const = 0;
     [[nodiscard]] virtual std::string_view name() const = 0;  ///< "embree", "plain" or "octree"
     [[nodiscard]] virtual std::size_t bytes() const = 0;      ///< what it takes, without the scene's own arrays
-    /// [mesh], where octrees were built; empty elsewhere. Of meshes that nobody asks for, trees that nothing ever hits.
-    [[nodiscard]] virtual std::span<const accel::OctreeView> octrees() const { return {}; }
+    /// Where octrees were built: what is in them, and what rays do there (octree_counter.h); else nullptr.
+    [[nodiscard]] virtual const OctreeCounter* octrees() const { return nullptr; }
 };
 
 /// Builds it on the cores of `executor`. The view's memory must outlive it. Meshes without triangles, and triangles

@@ -2,7 +2,9 @@
 
 #include "accel/octree/linked_octree.h"
 #include "render/mesh_soundness.h"
+#include "render/octree_counter.h"
 #include "render/octree_kernels.h"
+#include "render/octree_walk.h"
 
 namespace enfilade::render::detail {
 namespace {
@@ -39,7 +41,7 @@ void nearest16_apart(const void* given, accel::MeshId mesh, const std::int32_t* 
     state.kernels->nearest16_apart(tree_of(state, mesh), valid, rays);
 }
 
-class OctreeObjects final : public ObjectAccel {
+class OctreeObjects final : public ObjectAccel, public OctreeCounter {
 public:
     OctreeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
                   const accel::Executor& executor)
@@ -64,7 +66,11 @@ public:
         for (const accel::LinkedOctree& tree : trees_) sum += tree.bytes();
         return sum;
     }
-    [[nodiscard]] std::span<const accel::OctreeView> octrees() const override { return views_; }
+    [[nodiscard]] const OctreeCounter* octrees() const override { return this; }
+    void nearest_counted(accel::MeshId mesh, ObjectRay& ray, OctreeWork& work) const override {
+        octree_walk<false>(views_[static_cast<std::uint32_t>(mesh)], ray, work);
+    }
+    [[nodiscard]] accel::OctreeFigures figures() const override { return accel::octree_figures(views_); }
 
 private:
     static accel::LinkedOctree tree_for(const accel::SceneView& scene, std::size_t m,

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "plans/number_text.h"
+#include "render/octree_counter.h"
 #include "tools/bench.h"
 #include "tools/console.h"
 
@@ -75,8 +76,7 @@ PreparedObjects prepare_objects(const accel::SceneView& scene, const ObjectAccel
     summary.triangles = triangle_count(scene);
     summary.accel = prepared.accel->name();
     summary.bytes = prepared.accel->bytes();
-    const std::span<const accel::OctreeView> octrees = prepared.accel->octrees();
-    if (!octrees.empty()) summary.octrees = accel::octree_figures(octrees);
+    if (const render::OctreeCounter* octrees = prepared.accel->octrees()) summary.octrees = octrees->figures();
     return prepared;
 }
 
