@@ -32,8 +32,8 @@ inline constexpr double octree_slack = 0x1p-20;
 
 /// What a walk is expected to spend, in any unit (README.md: nanoseconds of our walks).
 struct OctreeCost {
-    double full_leaf = 14;   ///< a step into a leaf with triangles and out of it
-    double empty_leaf = 10;  ///< the same without any
+    double full_leaf = 24;   ///< a step into a leaf with triangles and out of it
+    double empty_leaf = 16;  ///< the same without any
     double block = 10;       ///< a register of triangles, full or not
     static constexpr std::uint32_t block_size = 16;
 
@@ -53,13 +53,17 @@ enum class OctreeLayout : std::uint8_t {
 
 struct OctreeOptions {
     static constexpr std::uint32_t automatic = 0xffffffffu;
-    std::uint32_t depth = automatic;  ///< of the smallest cells; automatic: by the mesh's size, where cost alone stops
-    std::uint32_t leaf_size = 16;     ///< leaves with no more triangles are not split
-    bool is_balanced = false;         ///< neighbours differ by one level at most (2:1)
+    std::uint32_t depth = automatic;      ///< of the smallest cells; automatic: no deeper than pays
+    std::uint32_t leaf_size = automatic;  ///< leaves with no more triangles are not split; automatic: by `cost` alone
+    bool is_balanced = false;             ///< neighbours differ by one level at most (2:1)
+    OctreeCost cost = {};
     OctreeLayout layout = OctreeLayout::Linked;
     bool has_stored_boxes = false;  ///< with Ropes: boxes are stored, not computed
     bool walks_in_double = false;   ///< with Ropes: sides of edges are computed in double
 };
+
+/// Whatever the mesh and the options, leaves and references together are at most so many a triangle, and some more.
+inline constexpr std::uint64_t octree_entries_a_triangle = 8, octree_entries_spare = 4096;
 
 /// A child of a node: a leaf or an inner node, by number.
 struct OctreeEntry {

@@ -1,117 +1,251 @@
-// Top down: a node with too many triangles hands to each of its eighths those that meet it.
+// Top down. Large nodes are split level by level, all cores at each; what is below smaller ones is built by one core
+// each and put together in Morton order.
 
 #include <algorithm>
-#include <bit>
-#include <limits>
+#include <cmath>
+#include <numeric>
 
+#include "accel/octree/lattice_triangles.h"
 #include "accel/octree/octree.h"
-#include "accel/octree/triangle_box.h"
+#include "accel/octree/octree_split.h"
+#include "accel/octree/subtree.h"
 
 namespace enfilade::accel {
+namespace detail {
 namespace {
 
-/// The cube about the used triangles, a little wider.
-OctreeFrame frame_of(const MeshPart& mesh, const OctreeOptions& options) {
-    constexpr float far = std::numeric_limits<float>::max();
-    std::array<float, 3> low = {far, far, far}, high = {-far, -far, -far};
-    for (const std::uint32_t t : mesh.used) {
-        for (const std::uint32_t corner : mesh.triangles[t].corners) {
-            const Vertex& v = mesh.places[corner];
-            const std::array<float, 3> p = {v.x, v.y, v.z};
-            for (std::size_t k = 0; k < 3; ++k) {
-                low[k] = std::min(low[k], p[k]);
-                high[k] = std::max(high[k], p[k]);
-            }
-        }
-    }
-    OctreeFrame frame;
-    const double triangles_a_cell = 8;
-    const double across = std::sqrt(static_cast<double>(mesh.used.size()) / (5 * triangles_a_cell));
-    const auto by_size = static_cast<std::uint32_t>(std::max(1.0, std::ceil(std::log2(std::max(1.0, across)))));
-    frame.depth = std::min(largest_octree_depth, options.depth == OctreeOptions::automatic ? by_size : options.depth);
-    double size = 0;
-    for (std::size_t k = 0; k < 3; ++k) size = std::max(size, double{high[k]} - low[k]);
-    const double widened = size * (1 + 0x1p-20);
-    for (std::size_t k = 0; k < 3; ++k) {
-        frame.low[k] = low[k];
-        frame.cells_a_unit[k] = widened > 0 ? static_cast<float>(double{frame.side()} / widened) : 1.0f;
-    }
-    return frame;
-}
+/// Nodes with no more triangles are built by one core. Trees do not depend on it.
+constexpr std::uint32_t small_node = 4096;
+/// Triangles of a large node that one core asks for their octants at once.
+constexpr std::size_t grain = 4096;
+
+constexpr std::uint32_t none = 0xffffffffu;
+
+/// A node of the levels that all cores share.
+struct UpperNode {
+    OctreeNode node;
+    std::size_t begin, end;  ///< of its triangles, in its level's lists
+    std::uint64_t budget;
+    std::uint32_t octants = none;  ///< the first of its eight in the next level
+    std::uint32_t subtree = none;
+    double cost = 0;
+
+    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(end - begin); }
+};
+
+struct UpperLevel {
+    std::vector<UpperNode> nodes;
+    std::vector<std::uint32_t> lists;
+};
+
+/// A part of a large node's triangles.
+struct Piece {
+    std::uint32_t node;
+    std::size_t begin, end;
+    OctantTriangles found;
+};
 
 class Builder {
 public:
-    Builder(const MeshPart& mesh, const OctreeOptions& options, Octree& tree)
-        : options_(options), tree_(tree), slack_(octree_slack * tree.frame.side()) {
-        corners_.reserve(mesh.used.size());
-        for (const std::uint32_t t : mesh.used) {
-            Corners c;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Vertex& v = mesh.places[mesh.triangles[t].corners[i]];
-                const std::array<float, 3> p = {v.x, v.y, v.z};
-                for (std::size_t k = 0; k < 3; ++k)
-                    c[i][k] = (double{p[k]} - tree.frame.low[k]) * double{tree.frame.cells_a_unit[k]};
-            }
-            corners_.push_back(c);
-        }
-        names_ = mesh.used;
-    }
+    Builder(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor)
+        : mesh_(mesh), executor_(executor), triangles_(mesh, options, executor), rule_(options) {}
 
-    OctreeEntry build(const std::array<std::uint32_t, 3>& low, std::uint32_t level,
-                      const std::vector<std::uint32_t>& here) {
-        if (here.size() <= options_.leaf_size || level == tree_.frame.depth) return add_leaf(low, level, here);
-        const std::uint32_t half = 1u << (tree_.frame.depth - level - 1);
-        std::array<std::vector<std::uint32_t>, 8> parts;
-        std::size_t sum = 0;
-        for (std::uint32_t octant = 0; octant < 8; ++octant) {
-            std::array<double, 3> centre;
-            for (std::size_t k = 0; k < 3; ++k) centre[k] = corner_of(low, half, octant)[k] + 0.5 * half;
-            for (const std::uint32_t i : here)
-                if (triangle_meets_box(corners_[i], centre, 0.5 * half + slack_)) parts[octant].push_back(i);
-            sum += parts[octant].size();
-        }
-        if (sum > 5 * here.size()) return add_leaf(low, level, here);
-        const auto number = static_cast<std::uint32_t>(tree_.children.size() / 8);
-        tree_.children.resize(tree_.children.size() + 8);
-        for (std::uint32_t octant = 0; octant < 8; ++octant) {
-            const OctreeEntry child = build(corner_of(low, half, octant), level + 1, parts[octant]);
-            tree_.children[std::size_t{8} * number + octant] = child;
-        }
-        return OctreeEntry::inner(number);
+    Octree build() {
+        UpperLevel first;
+        first.lists.resize(triangles_.size());
+        std::iota(first.lists.begin(), first.lists.end(), 0u);
+        first.nodes.push_back({{}, 0, triangles_.size(), SplitRule::budget(triangles_.size())});
+        for (levels_.push_back(std::move(first)); !levels_.back().nodes.empty();) levels_.push_back(next_level());
+        build_subtrees();
+        choose();
+        tree_.frame = triangles_.frame();
+        tree_.root = put_together(0, 0);
+        fill();
+        return std::move(tree_);
     }
 
 private:
-    static std::array<std::uint32_t, 3> corner_of(std::array<std::uint32_t, 3> low, std::uint32_t half,
-                                                  std::uint32_t octant) {
-        for (std::uint32_t k = 0; k < 3; ++k) low[k] += (octant >> k & 1u) * half;
-        return low;
+    [[nodiscard]] bool is_large(const UpperNode& node) const {
+        return node.count() > small_node && node.node.level < triangles_.frame().depth;
     }
 
-    OctreeEntry add_leaf(const std::array<std::uint32_t, 3>& low, std::uint32_t level,
-                         const std::vector<std::uint32_t>& here) {
-        tree_.leaves.push_back(
-            {low, level, static_cast<std::uint32_t>(tree_.references.size()), static_cast<std::uint32_t>(here.size())});
-        for (const std::uint32_t i : here) tree_.references.push_back(names_[i]);
-        return OctreeEntry::leaf(static_cast<std::uint32_t>(tree_.leaves.size() - 1));
+    /// Splits the large nodes of the last level.
+    UpperLevel next_level() {
+        UpperLevel& here = levels_.back();
+        std::vector<Piece> pieces;
+        for (std::uint32_t i = 0; i < here.nodes.size(); ++i) {
+            const UpperNode& node = here.nodes[i];
+            if (!is_large(node) || !rule_.may_split(node.count())) continue;
+            for (std::size_t at = node.begin; at < node.end; at += grain)
+                pieces.push_back({i, at, std::min(node.end, at + grain), {}});
+        }
+        executor_.run(pieces.size(), [&](std::size_t p) {
+            Piece& piece = pieces[p];
+            piece.found.find(triangles_, here.nodes[piece.node].node, listed(here, piece.begin, piece.end));
+        });
+        UpperLevel next;
+        std::vector<std::array<std::size_t, 8>> ends(pieces.size());  // where each piece writes
+        for (std::size_t p = 0; p < pieces.size();) {
+            std::size_t last = p;
+            while (last < pieces.size() && pieces[last].node == pieces[p].node) ++last;
+            add_octants(here.nodes[pieces[p].node], {pieces.data() + p, last - p}, ends.data() + p, next);
+            p = last;
+        }
+        executor_.run(pieces.size(), [&](std::size_t p) {
+            const Piece& piece = pieces[p];
+            if (here.nodes[piece.node].octants != none)
+                piece.found.write(listed(here, piece.begin, piece.end), next.lists.data(), ends[p]);
+        });
+        return next;
     }
 
-    OctreeOptions options_;
-    Octree& tree_;
-    double slack_;
-    std::vector<Corners> corners_;  ///< of used triangles, in the lattice
-    std::span<const std::uint32_t> names_;
+    static std::span<const std::uint32_t> listed(const UpperLevel& level, std::size_t begin, std::size_t end) {
+        return {level.lists.data() + begin, end - begin};
+    }
+
+    void add_octants(UpperNode& node, std::span<const Piece> pieces, std::array<std::size_t, 8>* places,
+                     UpperLevel& next) const {
+        OctantCounts counts = {};
+        for (const Piece& piece : pieces)
+            for (std::size_t i = 0; i < 8; ++i) counts[i] += piece.found.counts[i];
+        if (!rule_.tries(node.count(), node.budget, counts)) return;
+        node.octants = static_cast<std::uint32_t>(next.nodes.size());
+        const std::array<std::uint64_t, 8> budgets = SplitRule::shares(node.budget, counts);
+        for (std::uint32_t i = 0; i < 8; ++i) {
+            const std::size_t begin = next.lists.size();
+            std::size_t at = begin;
+            for (std::size_t p = 0; p < pieces.size(); ++p) {
+                places[p][i] = at;
+                at += pieces[p].found.counts[i];
+            }
+            next.nodes.push_back({node.node.octant(i, triangles_.frame().depth), begin, at, budgets[i]});
+            next.lists.resize(at);
+        }
+    }
+
+    void build_subtrees() {
+        struct Task {
+            const UpperLevel* level;
+            const UpperNode* node;
+        };
+        std::vector<Task> tasks;
+        for (UpperLevel& level : levels_) {
+            for (UpperNode& node : level.nodes) {
+                if (is_large(node)) continue;
+                node.subtree = static_cast<std::uint32_t>(tasks.size());
+                tasks.push_back({&level, &node});
+            }
+        }
+        subtrees_.resize(tasks.size());
+        executor_.run(tasks.size(), [&](std::size_t t) {
+            const UpperNode& node = *tasks[t].node;
+            subtrees_[t] =
+                build_subtree(triangles_, rule_, node.node, listed(*tasks[t].level, node.begin, node.end), node.budget);
+        });
+    }
+
+    /// Bottom up: which of the large nodes stay split.
+    void choose() {
+        for (std::size_t l = levels_.size(); l-- > 0;) {
+            for (UpperNode& node : levels_[l].nodes) {
+                node.cost = node.subtree != none ? subtrees_[node.subtree].cost : rule_.cost_of_leaf(node.count());
+                if (node.octants == none) continue;
+                double cost = 0;
+                for (std::uint32_t i = 0; i < 8; ++i)
+                    cost += SplitRule::crossed * levels_[l + 1].nodes[node.octants + i].cost;
+                if (rule_.keeps_split(node.count(), cost)) {
+                    node.cost = cost;
+                } else {
+                    node.octants = none;
+                }
+            }
+        }
+    }
+
+    /// Leaves and references that stand together in the tree, and where.
+    struct Part {
+        const Subtree* subtree;  ///< nullptr: a large node that is a leaf, with these references
+        std::span<const std::uint32_t> references;
+        std::size_t child, leaf, reference;
+    };
+
+    OctreeEntry put_together(std::size_t l, std::uint32_t number) {
+        const UpperNode& node = levels_[l].nodes[number];
+        const std::size_t child = tree_.children.size(), leaf = tree_.leaves.size();
+        if (node.octants != none) {
+            tree_.children.resize(child + 8);
+            for (std::uint32_t i = 0; i < 8; ++i) {
+                const OctreeEntry octant = put_together(l + 1, node.octants + i);
+                tree_.children[child + i] = octant;
+            }
+            return OctreeEntry::inner(static_cast<std::uint32_t>(child / 8));
+        }
+        if (node.subtree == none) {
+            const auto first = static_cast<std::uint32_t>(references_);
+            tree_.leaves.push_back({node.node.low, node.node.level, first, node.count()});
+            parts_.push_back({nullptr, listed(levels_[l], node.begin, node.end), child, leaf, references_});
+            references_ += node.count();
+            return OctreeEntry::leaf(static_cast<std::uint32_t>(leaf));
+        }
+        const Subtree& subtree = subtrees_[node.subtree];
+        parts_.push_back({&subtree, subtree.references, child, leaf, references_});
+        tree_.children.resize(child + subtree.children.size());
+        tree_.leaves.resize(leaf + subtree.leaves.size());
+        references_ += subtree.references.size();
+        return moved(subtree.root, child, leaf);
+    }
+
+    static OctreeEntry moved(OctreeEntry entry, std::size_t child, std::size_t leaf) {
+        return entry.is_leaf() ? OctreeEntry::leaf(static_cast<std::uint32_t>(entry.number() + leaf))
+                               : OctreeEntry::inner(static_cast<std::uint32_t>(entry.number() + child / 8));
+    }
+
+    void fill() {
+        tree_.references.resize(references_);
+        executor_.run(parts_.size(), [&](std::size_t p) {
+            const Part& part = parts_[p];
+            for (std::size_t i = 0; i < part.references.size(); ++i)
+                tree_.references[part.reference + i] = mesh_.used[part.references[i]];
+            if (part.subtree == nullptr) return;
+            for (std::size_t i = 0; i < part.subtree->children.size(); ++i)
+                tree_.children[part.child + i] = moved(part.subtree->children[i], part.child, part.leaf);
+            for (std::size_t i = 0; i < part.subtree->leaves.size(); ++i) {
+                OctreeLeaf leaf = part.subtree->leaves[i];
+                leaf.first += static_cast<std::uint32_t>(part.reference);
+                tree_.leaves[part.leaf + i] = leaf;
+            }
+        });
+    }
+
+    const MeshPart& mesh_;
+    const Executor& executor_;
+    LatticeTriangles triangles_;
+    SplitRule rule_;
+    std::vector<UpperLevel> levels_;
+    std::vector<Subtree> subtrees_;
+    std::vector<Part> parts_;
+    std::size_t references_ = 0;
+    Octree tree_;
 };
 
-}  // namespace
+/// Makes the smallest cell as large as the smallest leaf: the same tree, in another unit.
+void use_largest_cells(Octree& tree) {
+    std::uint32_t deepest = 0;
+    for (const OctreeLeaf& leaf : tree.leaves) deepest = std::max(deepest, leaf.level);
+    const std::uint32_t unused = tree.frame.depth - deepest;
+    for (float& cells : tree.frame.cells_a_unit) cells = std::ldexp(cells, -static_cast<int>(unused));
+    for (OctreeLeaf& leaf : tree.leaves)
+        for (std::uint32_t& low : leaf.low) low >>= unused;
+    tree.frame.depth = deepest;
+}
 
-Octree build_octree(const MeshPart& mesh, const OctreeOptions& options, const Executor&) {
-    Octree tree;
-    if (mesh.used.empty()) return tree;
-    tree.frame = frame_of(mesh, options);
-    Builder builder(mesh, options, tree);
-    std::vector<std::uint32_t> all(mesh.used.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-    tree.root = builder.build({0, 0, 0}, 0, all);
+}  // namespace
+}  // namespace detail
+
+Octree build_octree(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor) {
+    if (mesh.used.empty()) return {};
+    Octree tree = detail::Builder(mesh, options, executor).build();
+    if (options.depth == OctreeOptions::automatic) detail::use_largest_cells(tree);
     return tree;
 }
 

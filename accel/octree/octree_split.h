@@ -1,0 +1,81 @@
+#pragma once
+// Inside of accel/octree: whether a node is split or stays a leaf.
+
+#include <array>
+#include <cstdint>
+
+#include "accel/octree/octree.h"
+
+namespace enfilade::accel::detail {
+
+using OctantCounts = std::array<std::uint32_t, 8>;  ///< triangles that meet each octant
+
+/// Decides by what is in the node alone, so that a tree does not depend on who builds which part of it.
+class SplitRule {
+public:
+    explicit SplitRule(const OctreeOptions& options) : cost_(options.cost), leaf_size_(options.leaf_size) {}
+
+    /// Leaves and references that the root may have below it.
+    [[nodiscard]] static std::uint64_t budget(std::size_t triangles) {
+        return octree_entries_a_triangle * triangles + octree_entries_spare;
+    }
+
+    /// What each octant gets of its parent's budget: by its entries, so that all get enough to be a leaf.
+    /// \pre entries(counts) <= budget
+    [[nodiscard]] static std::array<std::uint64_t, 8> shares(std::uint64_t budget, const OctantCounts& counts) {
+        const std::uint64_t all = entries(counts);
+        std::array<std::uint64_t, 8> shares;
+        for (std::size_t i = 0; i < 8; ++i) shares[i] = budget * (std::uint64_t{counts[i]} + 1) / all;
+        return shares;
+    }
+
+    /// False: no octants can make up for the split.
+    [[nodiscard]] bool may_split(std::uint32_t count) const {
+        if (!is_by_cost()) return count > leaf_size_;
+        OctantCounts alone = {count > 0 ? 1u : 0u};
+        return least_cost(alone) < cost_of_leaf(count);
+    }
+
+    /// Whether to build the octants of a node and see: they fit the budget, and might cost less than a leaf, or fewer
+    /// triangles than the leaf has lie in some of them.
+    [[nodiscard]] bool tries(std::uint32_t count, std::uint64_t budget, const OctantCounts& counts) const {
+        if (entries(counts) > budget) return false;
+        if (is_by_cost()) return least_cost(counts) < cost_of_leaf(count);
+        return entries(counts) - 8 <= std::uint64_t{octants_at_most} * count;
+    }
+
+    /// Whether it was worth it.
+    [[nodiscard]] bool keeps_split(std::uint32_t count, double cost) const {
+        return !is_by_cost() || cost < cost_of_leaf(count);
+    }
+
+    [[nodiscard]] double cost_of_leaf(std::uint32_t count) const { return cost_.of_leaf(count); }
+
+    /// Of a line through a node it crosses each of the octants in one of four cases: so are their areas.
+    static constexpr double crossed = 0.25;
+
+private:
+    /// Where each triangle meets more octants than that in the mean, counting separates nothing.
+    static constexpr std::uint32_t octants_at_most = 5;
+
+    [[nodiscard]] bool is_by_cost() const { return leaf_size_ == OctreeOptions::automatic; }
+
+    /// The references and one for each leaf.
+    [[nodiscard]] static std::uint64_t entries(const OctantCounts& counts) {
+        std::uint64_t sum = 8;
+        for (const std::uint32_t count : counts) sum += count;
+        return sum;
+    }
+
+    /// Below what the octants will hardly come, however they are split.
+    [[nodiscard]] double least_cost(const OctantCounts& counts) const {
+        double sum = 0;
+        for (const std::uint32_t count : counts) sum += cost_of_leaf(count > 0 ? 1 : 0);
+        return crossed * sum;
+    }
+
+    OctreeCost cost_;
+    std::uint32_t leaf_size_;
+};
+
+}  // namespace enfilade::accel::detail
