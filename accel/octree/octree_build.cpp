@@ -7,6 +7,7 @@
 
 #include "accel/octree/lattice_triangles.h"
 #include "accel/octree/octree.h"
+#include "accel/octree/octree_balance.h"
 #include "accel/octree/octree_split.h"
 #include "accel/octree/subtree.h"
 
@@ -47,9 +48,10 @@ struct Piece {
 
 class Builder {
 public:
-    Builder(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor)
-        : mesh_(mesh), executor_(executor), triangles_(mesh, options, executor), rule_(options) {}
+    Builder(const LatticeTriangles& triangles, const SplitRule& rule, const Executor& executor)
+        : triangles_(triangles), rule_(rule), executor_(executor) {}
 
+    /// References are places in MeshPart::used.
     Octree build() {
         UpperLevel first;
         first.lists.resize(triangles_.size());
@@ -65,9 +67,7 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_large(const UpperNode& node) const {
-        return node.count() > small_node && node.node.level < triangles_.frame().depth;
-    }
+    [[nodiscard]] static bool is_large(const UpperNode& node) { return node.count() > small_node; }
 
     /// Splits the large nodes of the last level.
     UpperLevel next_level() {
@@ -75,7 +75,7 @@ private:
         std::vector<Piece> pieces;
         for (std::uint32_t i = 0; i < here.nodes.size(); ++i) {
             const UpperNode& node = here.nodes[i];
-            if (!is_large(node) || !rule_.may_split(node.count())) continue;
+            if (!is_large(node) || !rule_.may_split(node.count(), node.node.level)) continue;
             for (std::size_t at = node.begin; at < node.end; at += grain)
                 pieces.push_back({i, at, std::min(node.end, at + grain), {}});
         }
@@ -204,8 +204,7 @@ private:
         tree_.references.resize(references_);
         executor_.run(parts_.size(), [&](std::size_t p) {
             const Part& part = parts_[p];
-            for (std::size_t i = 0; i < part.references.size(); ++i)
-                tree_.references[part.reference + i] = mesh_.used[part.references[i]];
+            std::ranges::copy(part.references, tree_.references.begin() + static_cast<std::ptrdiff_t>(part.reference));
             if (part.subtree == nullptr) return;
             for (std::size_t i = 0; i < part.subtree->children.size(); ++i)
                 tree_.children[part.child + i] = moved(part.subtree->children[i], part.child, part.leaf);
@@ -217,10 +216,9 @@ private:
         });
     }
 
-    const MeshPart& mesh_;
-    const Executor& executor_;
-    LatticeTriangles triangles_;
+    const LatticeTriangles& triangles_;
     SplitRule rule_;
+    const Executor& executor_;
     std::vector<UpperLevel> levels_;
     std::vector<Subtree> subtrees_;
     std::vector<Part> parts_;
@@ -228,15 +226,30 @@ private:
     Octree tree_;
 };
 
-/// Makes the smallest cell as large as the smallest leaf: the same tree, in another unit.
-void use_largest_cells(Octree& tree) {
+std::uint32_t deepest_level(const Octree& tree) {
     std::uint32_t deepest = 0;
     for (const OctreeLeaf& leaf : tree.leaves) deepest = std::max(deepest, leaf.level);
-    const std::uint32_t unused = tree.frame.depth - deepest;
+    return deepest;
+}
+
+/// Balancing splits leaves of any size: where that is more than what a tree may have, the tree is built less deep.
+Octree build_balanced(const LatticeTriangles& triangles, const OctreeOptions& options, const Executor& executor) {
+    std::uint32_t deepest = triangles.frame().depth;
+    while (true) {
+        Octree tree = Builder(triangles, {options, deepest}, executor).build();
+        balance_octree(tree, triangles);
+        if (tree.leaves.size() + tree.references.size() <= SplitRule::budget(triangles.size())) return tree;
+        deepest = deepest_level(tree) - 1;
+    }
+}
+
+/// Makes the smallest cell as large as the smallest leaf: the same tree, in another unit.
+void use_largest_cells(Octree& tree) {
+    const std::uint32_t unused = tree.frame.depth - deepest_level(tree);
     for (float& cells : tree.frame.cells_a_unit) cells = std::ldexp(cells, -static_cast<int>(unused));
     for (OctreeLeaf& leaf : tree.leaves)
         for (std::uint32_t& low : leaf.low) low >>= unused;
-    tree.frame.depth = deepest;
+    tree.frame.depth -= unused;
 }
 
 }  // namespace
@@ -244,8 +257,14 @@ void use_largest_cells(Octree& tree) {
 
 Octree build_octree(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor) {
     if (mesh.used.empty()) return {};
-    Octree tree = detail::Builder(mesh, options, executor).build();
+    const detail::LatticeTriangles triangles(mesh, options, executor);
+    Octree tree = options.is_balanced
+                      ? detail::build_balanced(triangles, options, executor)
+                      : detail::Builder(triangles, {options, triangles.frame().depth}, executor).build();
     if (options.depth == OctreeOptions::automatic) detail::use_largest_cells(tree);
+    parallel_for(executor, tree.references.size(), std::size_t{1} << 18, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) tree.references[i] = mesh.used[tree.references[i]];
+    });
     return tree;
 }
 

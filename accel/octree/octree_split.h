@@ -13,7 +13,8 @@ using OctantCounts = std::array<std::uint32_t, 8>;  ///< triangles that meet eac
 /// Decides by what is in the node alone, so that a tree does not depend on who builds which part of it.
 class SplitRule {
 public:
-    explicit SplitRule(const OctreeOptions& options) : cost_(options.cost), leaf_size_(options.leaf_size) {}
+    SplitRule(const OctreeOptions& options, std::uint32_t deepest)
+        : cost_(options.cost), leaf_size_(options.leaf_size), deepest_(deepest) {}
 
     /// Leaves and references that the root may have below it.
     [[nodiscard]] static std::uint64_t budget(std::size_t triangles) {
@@ -30,7 +31,8 @@ public:
     }
 
     /// False: no octants can make up for the split.
-    [[nodiscard]] bool may_split(std::uint32_t count) const {
+    [[nodiscard]] bool may_split(std::uint32_t count, std::uint32_t level) const {
+        if (level >= deepest_) return false;
         if (!is_by_cost()) return count > leaf_size_;
         OctantCounts alone = {count > 0 ? 1u : 0u};
         return least_cost(alone) < cost_of_leaf(count);
@@ -76,6 +78,7 @@ private:
 
     OctreeCost cost_;
     std::uint32_t leaf_size_;
+    std::uint32_t deepest_;  ///< level of leaves
 };
 
 }  // namespace enfilade::accel::detail

@@ -26,7 +26,7 @@ private:
     /// Of the node whose triangles are lists_[begin, end).
     Built build(const OctreeNode& node, std::size_t begin, std::size_t end, std::uint64_t budget) {
         const auto count = static_cast<std::uint32_t>(end - begin);
-        if (node.level == triangles_.frame().depth || !rule_.may_split(count)) return add_leaf(node, begin, end);
+        if (!rule_.may_split(count, node.level)) return add_leaf(node, begin, end);
         octants_.find(triangles_, node, {lists_.data() + begin, count});
         if (!rule_.tries(count, budget, octants_.counts)) return add_leaf(node, begin, end);
         const OctantCounts counts = octants_.counts;
