@@ -5,6 +5,7 @@
 #include "render/octree_counter.h"
 #include "render/octree_kernels.h"
 #include "render/octree_walk.h"
+#include "render/rope_objects.h"
 
 namespace enfilade::render::detail {
 namespace {
@@ -95,6 +96,7 @@ private:
 std::unique_ptr<ObjectAccel> build_octree_objects(const accel::SceneView& scene, const std::vector<bool>& used,
                                                   const accel::OctreeOptions& options,
                                                   const accel::Executor& executor) {
+    if (options.layout == accel::OctreeLayout::Ropes) return build_rope_objects(scene, used, options, executor);
     return std::make_unique<OctreeObjects>(scene, used, options, executor);
 }
 

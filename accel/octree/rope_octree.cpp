@@ -25,7 +25,8 @@ std::uint32_t cube_map_level(const Octree& tree) {
         for (const std::uint32_t low : leaf.low)
             if (low == 0 || low + width == side) level = std::max(level, leaf.level);
     }
-    while (level > 0 && rope_faces << (2 * level) > texels_a_leaf * tree.leaves.size() + rope_faces) --level;
+    while (level > 0 && std::size_t{rope_faces} << (2 * level) > texels_a_leaf * tree.leaves.size() + rope_faces)
+        --level;
     return level;
 }
 

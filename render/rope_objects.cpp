@@ -1,0 +1,93 @@
+#include "render/rope_objects.h"
+
+#include "accel/octree/rope_octree.h"
+#include "render/mesh_soundness.h"
+#include "render/object_rays.h"
+#include "render/rope_walk.h"
+
+namespace enfilade::render::detail {
+namespace {
+
+constexpr std::uint32_t large_mesh = 1 << 16;  ///< triangles: cores share the work on one
+
+const accel::RopeView& tree_of(const void* state, accel::MeshId mesh) {
+    return static_cast<const accel::RopeView*>(state)[static_cast<std::uint32_t>(mesh)];
+}
+
+template <class T>
+void nearest(const void* state, accel::MeshId mesh, ObjectRay& ray) {
+    NoRopeEvents events;
+    rope_walk<T, false>(tree_of(state, mesh), ray, events);
+}
+
+template <class T>
+bool blocked(const void* state, accel::MeshId mesh, const ObjectRay& ray) {
+    NoRopeEvents events;
+    ObjectRay asked = ray;
+    return rope_walk<T, true>(tree_of(state, mesh), asked, events);
+}
+
+template <class T>
+void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    NoRopeEvents events;
+    one_by_one(valid, rays, [&](ObjectRay& ray) { return rope_walk<T, false>(tree_of(state, mesh), ray, events); });
+}
+
+class RopeObjects final : public ObjectAccel {
+public:
+    RopeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
+                const accel::Executor& executor)
+        : trees_(scene.meshes.size()), walks_in_double_(options.walks_in_double) {
+        const auto is_large = [&](std::size_t mesh) { return scene.meshes[mesh].triangle_count >= large_mesh; };
+        executor.run(trees_.size(), [&](std::size_t mesh) {
+            if (used[mesh] && !is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, accel::SerialExecutor());
+        });
+        for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
+            if (used[mesh] && is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, executor);
+        for (const accel::RopeOctree& tree : trees_) views_.push_back(tree.view());
+    }
+
+    [[nodiscard]] ObjectTracer tracer() const override {
+        return walks_in_double_ ? tracer_in<double>() : tracer_in<float>();
+    }
+    [[nodiscard]] std::string_view name() const override { return "ropes"; }
+    [[nodiscard]] std::size_t bytes() const override {
+        std::size_t sum = views_.size() * (sizeof(accel::RopeView) + sizeof(accel::RopeOctree));
+        for (const accel::RopeOctree& tree : trees_) sum += tree.bytes().total();
+        return sum;
+    }
+
+private:
+    template <class T>
+    [[nodiscard]] ObjectTracer tracer_in() const {
+        return {views_.data(), &nearest<T>, &nearest16<T>, &nearest16<T>, &blocked<T>};
+    }
+
+    static accel::RopeOctree tree_for(const accel::SceneView& scene, std::size_t m, const accel::OctreeOptions& options,
+                                      const accel::Executor& executor) {
+        const accel::ObjectMesh& mesh = scene.meshes[m];
+        std::vector<std::uint32_t> used;
+        used.reserve(mesh.triangle_count);
+        for (std::uint32_t t = 0; t < mesh.triangle_count; ++t)
+            if (can_be_hit(scene, mesh, t)) used.push_back(t);
+        const accel::MeshPart part = {scene.mesh_vertices.data() + mesh.first_vertex,
+                                      scene.mesh_triangles.data() + mesh.first_triangle, used};
+        return {accel::build_octree(part, options, executor),
+                part,
+                {options.is_balanced, options.has_stored_boxes},
+                executor};
+    }
+
+    std::vector<accel::RopeOctree> trees_;
+    std::vector<accel::RopeView> views_;
+    bool walks_in_double_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObjectAccel> build_rope_objects(const accel::SceneView& scene, const std::vector<bool>& used,
+                                                const accel::OctreeOptions& options, const accel::Executor& executor) {
+    return std::make_unique<RopeObjects>(scene, used, options, executor);
+}
+
+}  // namespace enfilade::render::detail
