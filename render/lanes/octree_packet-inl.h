@@ -1,12 +1,224 @@
-// Sixteen rays through an octree together.
+// Sixteen rays through an octree together: from the root down, nearest children first, each node for those rays that
+// pass it; the planes between a node's eighths are all that is computed of boxes.
 // No include guard: octree.cpp includes it once for every instruction set.
+
+#include "render/lanes/octree_packet_leaf-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
+/// Parameters of planes: (plane - origin) / direction, in the lattice. As good as parallel is as parallel as can be
+/// counted: all of the ray is on one side.
+struct PacketPlanes {
+    Floats<16> inverse[3], offset[3];
+    [[nodiscard]] HWY_INLINE Floats<16> at(int axis, float plane) const {
+        return fused_lanes(Floats<16>(plane), inverse[axis], offset[axis]);
+    }
+};
+
+/// A node on the way down, for the rays that pass it.
+struct alignas(64) PacketNode {
+    /// [axis]: where the node is entered and left, and between them the plane that halves it.
+    float enter[16], middle[3][16], leave[16];
+    const accel::OctreeEntry* children;
+    float low[3], half;
+    Bits rays;
+    Bits left;  ///< children to come, by the order in which rays pass them
+};
+
+struct PacketWalk {
+    const accel::OctreeView& tree;
+    const PacketPlanes& planes;
+    PacketRays& rays;
+    std::uint32_t flip;  ///< bit k: rays come down axis k
+
+    HWY_INLINE void meet(const accel::LinkedLeaf& leaf, Bits some) {
+        if (leaf.count == 0) return;
+        const auto registers = static_cast<int>((leaf.count + lane_count - 1) / lane_count);
+        if (registers * static_cast<int>(hwy::PopCount(some)) < static_cast<int>(leaf.count)) {
+            const LeafColumns columns(tree, leaf, rays);
+            for (Bits left = some; left != 0; left &= left - 1)
+                meet_by_ray(tree, leaf, columns, static_cast<int>(first_bit(left)), rays);
+        } else {
+            meet_by_triangles(tree, leaf, some, rays);
+        }
+    }
+
+    HWY_INLINE void open(PacketNode& node, accel::OctreeEntry entry, float x, float y, float z, float half, Bits some,
+                         const Floats<16>& enter, const Floats<16>& leave) {
+        node.children = tree.children + std::size_t{8} * entry.number();
+        node.low[0] = x;
+        node.low[1] = y;
+        node.low[2] = z;
+        node.half = half;
+        node.rays = some;
+        node.left = 0xff;
+        store(enter, node.enter);
+        store(leave, node.leave);
+        for (int k = 0; k < 3; ++k) store(planes.at(k, node.low[k] + half), node.middle[k]);
+    }
+
+    void run(Bits some, const Floats<16>& enter, const Floats<16>& leave) {
+        using F = Floats<16>;
+        if (tree.root.is_leaf()) return meet(tree.leaves[tree.root.number()], some);
+        PacketNode nodes[accel::largest_octree_depth + 1];
+        PacketNode* node = nodes;
+        open(*node, tree.root, 0, 0, 0, 0.5f * tree.frame.side(), some, enter, leave);
+        while (true) {
+            if (node->left == 0) {
+                if (node == nodes) return;
+                --node;
+                continue;
+            }
+            const std::uint32_t order = first_bit(node->left);
+            node->left &= node->left - 1;
+            const std::uint32_t octant = order ^ flip;
+            const accel::OctreeEntry child = node->children[octant];
+            if (child.is_leaf() && tree.leaves[child.number()].count == 0) continue;
+            const auto plane = [&](int k, bool is_behind) HWY_ATTR {
+                return load<16>((order >> k & 1u) != 0 ? (is_behind ? node->leave : node->middle[k])
+                                                       : (is_behind ? node->middle[k] : node->enter));
+            };
+            const F in = largest(largest(plane(0, false), plane(1, false)), plane(2, false));
+            const F out = least(least(plane(0, true), plane(1, true)), plane(2, true));
+            const Bits here = node->rays & is_at_most(in, least(out, load<16>(rays.far)));
+            if (here == 0) continue;
+            if (child.is_leaf()) {
+                meet(tree.leaves[child.number()], here);
+                continue;
+            }
+            const float half = node->half;
+            const float x = node->low[0] + ((octant & 1u) != 0 ? half : 0.0f);
+            const float y = node->low[1] + ((octant & 2u) != 0 ? half : 0.0f);
+            const float z = node->low[2] + ((octant & 4u) != 0 ? half : 0.0f);
+            open(*++node, child, x, y, z, 0.5f * half, here, in, out);
+        }
+    }
+};
+
+/// Origins that are far are brought near, one by one: they are few, or none.
+HWY_NOINLINE inline void bring_packet_near(const accel::OctreeView& tree, Bits some, PacketRays& rays, float* moved) {
+    for (Bits left = some; left != 0; left &= left - 1) {
+        const auto i = first_bit(left);
+        ObjectRay ray = {};
+        ray.origin_x = rays.origin[0][i];
+        ray.origin_y = rays.origin[1][i];
+        ray.origin_z = rays.origin[2][i];
+        ray.direction_x = rays.direction[0][i];
+        ray.direction_y = rays.direction[1][i];
+        ray.direction_z = rays.direction[2][i];
+        ray.near = rays.near[i];
+        ray.far = rays.far[i];
+        moved[i] = bring_near(tree.low, tree.high, ray);
+        rays.origin[0][i] = ray.origin_x;
+        rays.origin[1][i] = ray.origin_y;
+        rays.origin[2][i] = ray.origin_z;
+        rays.near[i] = ray.near;
+        rays.far[i] = ray.far;
+    }
+}
+
+/// Those of the rays that start far from the mesh, as bring_near counts it.
+HWY_INLINE Bits far_away(const accel::OctreeView& tree, const PacketRays& rays) {
+    using F = Floats<16>;
+    F away(0);
+    float size = 0;
+    for (int k = 0; k < 3; ++k) {
+        const F o = load<16>(rays.origin[k]);
+        size = larger(size, tree.high[k] - tree.low[k]);
+        away = largest(away, largest(F(tree.low[k]) - o, o - F(tree.high[k])));
+    }
+    return is_less(F(near_enough * size), away);
+}
+
 void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
-    one_by_one(valid, rays, [&](ObjectRay& ray) { return octree_nearest(tree, ray); });
+    using F = Floats<16>;
+    if (tree.leaves == nullptr) return;
+    PacketRays asked;
+    Bits some = 0;
+    const float* const from[8] = {rays.origin_x,    rays.origin_y,    rays.origin_z, rays.direction_x,
+                                  rays.direction_y, rays.direction_z, rays.near,     rays.far};
+    float* const to[8] = {asked.origin[0],    asked.origin[1],    asked.origin[2], asked.direction[0],
+                          asked.direction[1], asked.direction[2], asked.near,      asked.far};
+    for (int i = 0; i < 8; ++i) store(load<16>(from[i]), to[i]);
+    for (int k = 0; k < 16; k += lane_count) {
+        const auto numbers = hn::LoadU(DU(), rays.triangle + k);
+        hn::Store(numbers, DU(), asked.triangle + k);
+        const auto is_valid = hn::Ne(hn::LoadU(DI(), valid + k), hn::Zero(DI()));
+        some |= bits_of(hn::RebindMask(D(), is_valid)) << k;
+    }
+    alignas(64) float moved[16];
+    const Bits away = some & far_away(tree, asked);
+    if (HWY_UNLIKELY(away != 0)) {
+        store(F(0), moved);
+        bring_packet_near(tree, away, asked, moved);
+    }
+    F enter = load<16>(asked.near), leave = load<16>(asked.far);
+    some &= is_at_most(enter, leave);
+    PacketPlanes planes;
+    Bits negative[3];
+    const float slack = static_cast<float>(accel::octree_slack) * tree.frame.side();
+    for (int k = 0; k < 3; ++k) {
+        const float scale = tree.frame.cells_a_unit.data()[k], base = tree.frame.low.data()[k];
+        F d = load<16>(asked.direction[k]) * F(scale);
+        negative[k] = is_less(d, F(0));
+        const F tiny(0x1p-100f);
+        d = choose(is_less(magnitude_of(d), tiny), choose(negative[k], -tiny, tiny), d);
+        planes.inverse[k] = F(1) / d;
+        planes.offset[k] = (F(base) - load<16>(asked.origin[k])) * F(scale) * planes.inverse[k];
+        const F a = planes.at(k, (tree.low[k] - base) * scale - slack);
+        const F b = planes.at(k, (tree.high[k] - base) * scale + slack);
+        enter = largest(enter, least(a, b));
+        leave = least(leave, largest(a, b));
+    }
+    some &= is_at_most(enter, leave);
+    if (some == 0) return;
+    const F dx = magnitude_of(load<16>(asked.direction[0])), dy = magnitude_of(load<16>(asked.direction[1])),
+            dz = magnitude_of(load<16>(asked.direction[2]));
+    const Bits z_longest = is_at_most(dx, dz) & is_at_most(dy, dz);
+    const Bits y_longest = is_at_most(dx, dy) & ~z_longest;
+    for (Bits left = some; left != 0;) {
+        const Bits first = left & (~left + 1);
+        Bits group = left;
+        std::uint32_t flip = 0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const bool is_down = (negative[k] & first) != 0;
+            group &= is_down ? negative[k] : ~negative[k];
+            flip |= (is_down ? 1u : 0u) << k;
+        }
+        group &= (z_longest & first) != 0 ? z_longest : ~z_longest;
+        group &= (y_longest & first) != 0 ? y_longest : ~y_longest;
+        left &= ~group;
+        asked.kz = (z_longest & first) != 0 ? 2 : (y_longest & first) != 0 ? 1 : 0;
+        asked.kx = asked.kz == 2 ? 0 : asked.kz + 1;
+        asked.ky = asked.kx == 2 ? 0 : asked.kx + 1;
+        const F shear_z = F(1) / load<16>(asked.direction[asked.kz]);
+        store(shear_z, asked.shear_z);
+        store(load<16>(asked.direction[asked.kx]) * shear_z, asked.shear_x);
+        store(load<16>(asked.direction[asked.ky]) * shear_z, asked.shear_y);
+        PacketWalk{tree, planes, asked, flip}.run(group, enter, leave);
+    }
+    Bits hit = 0;
+    for (int k = 0; k < 16; k += lane_count)
+        hit |=
+            bits_of(hn::RebindMask(D(), hn::Ne(hn::Load(DU(), asked.triangle + k), hn::LoadU(DU(), rays.triangle + k))))
+            << k;
+    hit &= some;
+    if (hit == 0) return;
+    const F sum = load<16>(asked.sum);
+    const F far = load<16>(asked.far) + (away != 0 ? load<16>(moved) : F(0));  // -0 + 0: +0
+    const auto write = [&](const F& lanes, float* at) HWY_ATTR {
+        for (int k = 0; k < 16; k += lane_count)
+            hn::BlendedStore(lanes.v[k / lane_count], mask_of(hit, k / lane_count), D(), at + k);
+    };
+    write(far, rays.far);
+    write(load<16>(asked.b) / sum, rays.u);
+    write(load<16>(asked.c) / sum, rays.v);
+    write(load<16>(asked.normal[0]), rays.normal_x);
+    write(load<16>(asked.normal[1]), rays.normal_y);
+    write(load<16>(asked.normal[2]), rays.normal_z);
+    write(load<16>(reinterpret_cast<const float*>(asked.triangle)), reinterpret_cast<float*>(rays.triangle));
 }
 
 void octree_nearest16_apart(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {

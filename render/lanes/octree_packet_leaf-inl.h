@@ -1,0 +1,225 @@
+// The triangles of a leaf and sixteen rays: triangle_test.h in lanes, of rays for a triangle or of triangles for a ray.
+// No include guard: octree_packet-inl.h includes it once for every instruction set.
+
+HWY_BEFORE_NAMESPACE();
+namespace enfilade::render {
+namespace HWY_NAMESPACE {
+
+/// Sixteen rays as triangles are asked, and what was found for them so far.
+struct alignas(64) PacketRays {
+    static constexpr int count = ObjectRays::count;
+    float origin[3][count], direction[3][count];  ///< near the mesh
+    float near[count], far[count];
+    float shear_x[count], shear_y[count], shear_z[count];  ///< of those for which kz is right
+    std::uint32_t triangle[count];
+    float b[count], c[count], sum[count];  ///< as TriangleMeeting
+    float normal[3][count];
+    int kx, ky, kz;
+
+    PacketRays() {}  // lanes are written where they count
+};
+
+/// Rays, or one in all lanes, along kx, ky and kz.
+struct PacketShear {
+    V ox, oy, oz, sx, sy, sz;
+};
+
+/// Corners likewise.
+struct PacketCorners {
+    V ax, ay, az, bx, by, bz, cx, cy, cz;
+};
+
+/// As in meets_triangle.
+struct PacketEdges {
+    V u, v, w, a_along, b_along, c_along;
+};
+
+HWY_INLINE std::uint32_t first_bit(Bits bits) {
+    return static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+}
+
+HWY_INLINE hn::Mask<D> is_negative(V a) { return hn::RebindMask(D(), hn::Lt(hn::BitCast(DI(), a), hn::Zero(DI()))); }
+
+/// Lanes that pass the three edges on one side. `unclear`: where a product vanishes, so that doubles decide.
+HWY_INLINE hn::Mask<D> pass_edges(const PacketShear& r, const PacketCorners& p, PacketEdges& e, hn::Mask<D>& unclear) {
+    e.a_along = hn::Sub(p.az, r.oz);
+    e.b_along = hn::Sub(p.bz, r.oz);
+    e.c_along = hn::Sub(p.cz, r.oz);
+    const V ax = hn::Sub(hn::Sub(p.ax, r.ox), hn::Mul(r.sx, e.a_along));
+    const V ay = hn::Sub(hn::Sub(p.ay, r.oy), hn::Mul(r.sy, e.a_along));
+    const V bx = hn::Sub(hn::Sub(p.bx, r.ox), hn::Mul(r.sx, e.b_along));
+    const V by = hn::Sub(hn::Sub(p.by, r.oy), hn::Mul(r.sy, e.b_along));
+    const V cx = hn::Sub(hn::Sub(p.cx, r.ox), hn::Mul(r.sx, e.c_along));
+    const V cy = hn::Sub(hn::Sub(p.cy, r.oy), hn::Mul(r.sy, e.c_along));
+    e.u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+    e.v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+    e.w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+    const V zero = hn::Zero(D());
+    unclear = hn::Or(hn::Or(hn::Eq(e.u, zero), hn::Eq(e.v, zero)), hn::Eq(e.w, zero));
+    return hn::Not(hn::Or(unclear, is_negative(hn::Or(hn::Xor(e.u, e.v), hn::Xor(e.v, e.w)))));
+}
+
+/// Of the unclear lanes those that doubles could still let in: no two products are plainly of different signs.
+HWY_INLINE Bits still_unclear(const PacketEdges& e, hn::Mask<D> unclear) {
+    const V plain = hn::Set(D(), 1e-30f);  // smaller ones may vanish where doubles become floats
+    const auto below = hn::Lt(hn::Min(e.u, hn::Min(e.v, e.w)), hn::Neg(plain));
+    const auto above = hn::Gt(hn::Max(e.u, hn::Max(e.v, e.w)), plain);
+    return bits_of(hn::AndNot(hn::And(below, above), unclear));
+}
+
+/// The parameters of the meetings, and the sums of shares.
+HWY_INLINE V parameter_of(const PacketShear& r, const PacketEdges& e, V& sum) {
+    sum = hn::Add(hn::Add(e.u, e.v), e.w);
+    const V along = hn::Add(hn::Add(hn::Mul(e.u, e.a_along), hn::Mul(e.v, e.b_along)), hn::Mul(e.w, e.c_along));
+    return hn::Div(hn::Mul(r.sz, along), sum);
+}
+
+/// Where the columns of a leaf's triangles lie, along kx, ky and kz.
+struct LeafColumns {
+    const float* at;
+    std::size_t x, y, z, corner;  ///< steps from `at` to the first corner's coordinates, and from corner to corner
+    HWY_INLINE LeafColumns(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, const PacketRays& rays)
+        : at(tree.corners + leaf.first) {
+        const std::size_t n = leaf.count;
+        x = static_cast<std::size_t>(rays.kx) * n;
+        y = static_cast<std::size_t>(rays.ky) * n;
+        z = static_cast<std::size_t>(rays.kz) * n;
+        corner = 3 * n;
+    }
+    [[nodiscard]] HWY_INLINE PacketCorners one(std::size_t i) const {
+        const float *a = at + i, *b = a + corner, *c = b + corner;
+        const D d;
+        return {hn::Set(d, a[x]), hn::Set(d, a[y]), hn::Set(d, a[z]), hn::Set(d, b[x]), hn::Set(d, b[y]),
+                hn::Set(d, b[z]), hn::Set(d, c[x]), hn::Set(d, c[y]), hn::Set(d, c[z])};
+    }
+    [[nodiscard]] HWY_INLINE PacketCorners many(std::size_t i) const {
+        const float *a = at + i, *b = a + corner, *c = b + corner;
+        const D d;
+        return {hn::LoadU(d, a + x), hn::LoadU(d, a + y), hn::LoadU(d, a + z), hn::LoadU(d, b + x), hn::LoadU(d, b + y),
+                hn::LoadU(d, b + z), hn::LoadU(d, c + x), hn::LoadU(d, c + y), hn::LoadU(d, c + z)};
+    }
+};
+
+/// Whether a meeting counts for a ray: near enough, and before what it met so far.
+HWY_INLINE bool is_nearer(const PacketRays& rays, int lane, float t, std::uint32_t number) {
+    return t >= rays.near[lane] && (t < rays.far[lane] || (t == rays.far[lane] && number < rays.triangle[lane]));
+}
+
+HWY_INLINE void take_meeting(PacketRays& rays, int lane, const LeafTriangle& of, const TriangleMeeting& at) {
+    rays.far[lane] = at.t;
+    rays.triangle[lane] = of.number;
+    rays.b[lane] = at.b;
+    rays.c[lane] = at.c;
+    rays.sum[lane] = at.sum;
+    const Vec3f a = {of.a[0], of.a[1], of.a[2]};
+    const Vec3f normal =
+        cross(Vec3f{of.b[0] - a.x, of.b[1] - a.y, of.b[2] - a.z}, Vec3f{of.c[0] - a.x, of.c[1] - a.y, of.c[2] - a.z});
+    rays.normal[0][lane] = normal.x;
+    rays.normal[1][lane] = normal.y;
+    rays.normal[2][lane] = normal.z;
+}
+
+/// One ray, one triangle, as the scalar walk asks: where lanes do not decide.
+HWY_NOINLINE inline void meet_alone(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, std::uint32_t i,
+                                    int lane, PacketRays& rays) {
+    const ShearedRay ray = {
+        rays.kx,
+        rays.ky,
+        rays.kz,
+        rays.shear_x[lane],
+        rays.shear_y[lane],
+        rays.shear_z[lane],
+        {rays.origin[0][lane], rays.origin[1][lane], rays.origin[2][lane]},
+    };
+    const LeafTriangle triangle = triangle_in(tree, leaf, i);
+    TriangleMeeting meeting = {};
+    if (meets_triangle(ray, {triangle.a, triangle.b, triangle.c}, meeting) &&
+        is_nearer(rays, lane, meeting.t, triangle.number))
+        take_meeting(rays, lane, triangle, meeting);
+}
+
+/// Each triangle against a register of rays, those of `active`.
+HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, Bits active,
+                                  PacketRays& rays) {
+    const D d;
+    const LeafColumns columns(tree, leaf, rays);
+    for (int k = 0; k < PacketRays::count; k += lane_count) {
+        if ((active >> k & all_bits<lane_count>) == 0) continue;
+        const auto asked = mask_of(active, k / lane_count);
+        const PacketShear r = {hn::Load(d, rays.origin[rays.kx] + k), hn::Load(d, rays.origin[rays.ky] + k),
+                               hn::Load(d, rays.origin[rays.kz] + k), hn::Load(d, rays.shear_x + k),
+                               hn::Load(d, rays.shear_y + k),         hn::Load(d, rays.shear_z + k)};
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            PacketEdges e;
+            hn::Mask<D> unclear;
+            const auto met = hn::And(asked, pass_edges(r, columns.one(i), e, unclear));
+            unclear = hn::And(asked, unclear);
+            if (HWY_UNLIKELY(!hn::AllFalse(d, unclear)))
+                for (Bits left = still_unclear(e, unclear); left != 0; left &= left - 1)
+                    meet_alone(tree, leaf, i, k + static_cast<int>(first_bit(left)), rays);
+            if (hn::AllFalse(d, met)) continue;
+            V sum;
+            const V t = parameter_of(r, e, sum), far = hn::Load(d, rays.far + k);
+            const std::uint32_t number = render::bits_of(columns.at[9 * std::size_t{leaf.count} + i]);
+            auto nearer = hn::Lt(t, far);
+            const auto same = hn::And(met, hn::Eq(t, far));
+            if (HWY_UNLIKELY(!hn::AllFalse(d, same))) {
+                const auto first = hn::Gt(hn::Load(DU(), rays.triangle + k), hn::Set(DU(), number));
+                nearer = hn::Or(nearer, hn::And(same, hn::RebindMask(d, first)));
+            }
+            const auto taken = hn::And(hn::And(met, nearer), hn::Ge(t, hn::Load(d, rays.near + k)));
+            if (hn::AllFalse(d, taken)) continue;
+            const LeafTriangle triangle = triangle_in(tree, leaf, i);
+            const Vec3f normal = cross(
+                Vec3f{triangle.b[0] - triangle.a[0], triangle.b[1] - triangle.a[1], triangle.b[2] - triangle.a[2]},
+                Vec3f{triangle.c[0] - triangle.a[0], triangle.c[1] - triangle.a[1], triangle.c[2] - triangle.a[2]});
+            hn::BlendedStore(t, taken, d, rays.far + k);
+            hn::BlendedStore(hn::BitCast(d, hn::Set(DU(), number)), taken, d,
+                             reinterpret_cast<float*>(rays.triangle) + k);
+            hn::BlendedStore(e.v, taken, d, rays.b + k);
+            hn::BlendedStore(e.w, taken, d, rays.c + k);
+            hn::BlendedStore(sum, taken, d, rays.sum + k);
+            hn::BlendedStore(hn::Set(d, normal.x), taken, d, rays.normal[0] + k);
+            hn::BlendedStore(hn::Set(d, normal.y), taken, d, rays.normal[1] + k);
+            hn::BlendedStore(hn::Set(d, normal.z), taken, d, rays.normal[2] + k);
+        }
+    }
+}
+
+/// A ray against registers of triangles.
+HWY_INLINE void meet_by_ray(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, const LeafColumns& columns,
+                            int lane, PacketRays& rays) {
+    const D d;
+    const PacketShear r = {hn::Set(d, rays.origin[rays.kx][lane]), hn::Set(d, rays.origin[rays.ky][lane]),
+                           hn::Set(d, rays.origin[rays.kz][lane]), hn::Set(d, rays.shear_x[lane]),
+                           hn::Set(d, rays.shear_y[lane]),         hn::Set(d, rays.shear_z[lane])};
+    for (std::uint32_t i = 0; i < leaf.count; i += lane_count) {
+        PacketEdges e;
+        hn::Mask<D> unclear;
+        const std::uint32_t left = leaf.count - i;
+        const Bits here = left >= lane_count ? all_bits<lane_count> : (Bits(1) << left) - 1;
+        const auto met = pass_edges(r, columns.many(i), e, unclear);
+        if (HWY_UNLIKELY((bits_of(unclear) & here) != 0))
+            for (Bits some = still_unclear(e, unclear) & here; some != 0; some &= some - 1)
+                meet_alone(tree, leaf, i + first_bit(some), lane, rays);
+        Bits some = bits_of(met) & here;
+        if (some == 0) continue;
+        V sum;
+        const V t = parameter_of(r, e, sum);
+        alignas(64) float ts[lane_count], bs[lane_count], cs[lane_count], sums[lane_count];
+        hn::Store(t, d, ts);
+        hn::Store(e.v, d, bs);
+        hn::Store(e.w, d, cs);
+        hn::Store(sum, d, sums);
+        for (; some != 0; some &= some - 1) {
+            const auto j = first_bit(some);
+            const std::uint32_t number = render::bits_of(columns.at[9 * std::size_t{leaf.count} + i + j]);
+            if (is_nearer(rays, lane, ts[j], number))
+                take_meeting(rays, lane, triangle_in(tree, leaf, i + j), {bs[j], cs[j], sums[j], ts[j]});
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace enfilade::render
+HWY_AFTER_NAMESPACE();
