@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <iomanip>
 #include <sstream>
 
@@ -16,7 +15,8 @@ using render::no_triangle;
 using render::ObjectRay;
 using render::ObjectRays;
 
-bool same(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+/// To the last bit, but that 0 may be -0.
+bool same(float a, float b) { return a == b; }
 
 bool same_answer(const ObjectRay& a, const ObjectRay& b) {
     return a.triangle == b.triangle && same(a.far, b.far) && same(a.u, b.u) && same(a.v, b.v) &&
