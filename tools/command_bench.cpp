@@ -28,6 +28,7 @@ constexpr std::array entries = {
           bench_convexify},
     Entry{"edit", "boxes put into rooms, against building all again", bench_edit},
     Entry{"furniture", "objects placed by rule: time, guarantees, and how much finds a place", bench_furniture},
+    Entry{"octree", "octrees over single meshes, against Embree's trees on the same rays", bench_octree},
     Entry{"furnished", "tracing furnished floors, against Embree's instances on the same rays", bench_furnished},
     Entry{"dial", "what each option costs in time and memory, and what it errs", bench_dial},
 };
