@@ -33,11 +33,12 @@ std::vector<accel::InputMesh> plain_meshes() {
 
 void judge_all(const TriedMesh& mesh, const OctreeOptions& options, int groups, std::uint64_t seed, OctreeTally& sum) {
     const TriedOctree octree(mesh, options);
+    const std::vector<OctreeWalk> walks = octree_walks(octree);
     OctreeRays draw(mesh, octree.tree().frame, seed);
     for (const NamedOctreeRays& named : octree_ray_families) {
         std::vector<ObjectRay> rays;
         for (int i = 0; i < 16 * groups; ++i) rays.push_back(draw.take(named.family));
-        const OctreeTally tally = judge_octree(mesh, octree.view(), rays);
+        const OctreeTally tally = judge_octree(mesh, walks, rays);
         EXPECT_EQ(tally.wrong, 0u) << named.name << ": " << tally.first_wrong;
         sum.add(tally);
     }

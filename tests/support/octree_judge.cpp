@@ -5,7 +5,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "render/object_rays.h"
+#include "render/octree_kernels.h"
+#include "render/rope_walk.h"
 #include "tests/support/instruction_sets.h"
 
 namespace enfilade::test {
@@ -56,8 +57,7 @@ ObjectRay one_of(const ObjectRays& all, const ObjectRay& asked, std::size_t i) {
 
 class Judge {
 public:
-    Judge(const TriedMesh& mesh, const accel::OctreeView& tree, const std::vector<ObjectRay>& rays)
-        : mesh_(mesh), tree_(tree), rays_(rays) {
+    Judge(const TriedMesh& mesh, const std::vector<ObjectRay>& rays) : mesh_(mesh), rays_(rays) {
         for (const ObjectRay& ray : rays) {
             expected_.push_back(mesh.nearest(ray));
             tally.hits += expected_.back().triangle != no_triangle;
@@ -65,36 +65,37 @@ public:
         tally.rays = rays.size();
     }
 
-    void ask(const OctreeVariant& variant) {
+    void ask(const OctreeWalk& walk) {
         for (std::size_t i = 0; i < rays_.size(); ++i) {
             ObjectRay answered = rays_[i];
-            const bool is_hit = variant.kernels->nearest(tree_, answered);
-            compare(i, answered, variant.name + " nearest");
-            if (is_hit != (answered.triangle != no_triangle)) report(i, answered, variant.name + " says otherwise");
-            const bool is_blocked = variant.kernels->blocked(tree_, rays_[i]);
+            const bool is_hit = walk.nearest(answered);
+            compare(i, answered, walk.name + " nearest");
+            if (is_hit != (answered.triangle != no_triangle)) report(i, answered, walk.name + " says otherwise");
+            const bool is_blocked = walk.blocked(rays_[i]);
             if (is_blocked == (expected_[i].triangle != no_triangle)) continue;
             // Any triangle blocks; nothing but the answer of nearest tells which.
             if (is_beside(i, expected_[i]) || is_beside(i, answered)) ++tally.beside;
-            else report(i, answered, variant.name + (is_blocked ? " is blocked" : " is not blocked"));
+            else report(i, answered, walk.name + (is_blocked ? " is blocked" : " is not blocked"));
         }
+        if (!walk.nearest16) return;
         for (std::size_t first = 0; first < rays_.size(); first += 16) {
-            ask16(first, variant.kernels->nearest16, variant.name + " nearest16");
-            ask16(first, variant.kernels->nearest16_apart, variant.name + " nearest16_apart");
+            ask16(first, walk.nearest16, walk.name + " nearest16");
+            ask16(first, walk.nearest16_apart, walk.name + " nearest16_apart");
         }
     }
 
     OctreeTally tally;
 
 private:
-    using Ask16 = void (*)(const accel::OctreeView&, const std::int32_t*, ObjectRays&);
+    using Ask16 = std::function<void(const std::int32_t*, ObjectRays&)>;
 
-    void ask16(std::size_t first, Ask16 nearest, const std::string& who) {
+    void ask16(std::size_t first, const Ask16& nearest, const std::string& who) {
         ObjectRays all = together(rays_, first);
         alignas(64) std::array<std::int32_t, 16> valid{};
         // Every third group has holes.
         for (std::size_t i = 0; i < 16; ++i)
             valid[i] = first + i < rays_.size() && (first / 16 % 3 != 0 || i % 5 != 3) ? -1 : 0;
-        nearest(tree_, valid.data(), all);
+        nearest(valid.data(), all);
         for (std::size_t i = 0; i < 16 && first + i < rays_.size(); ++i) {
             const ObjectRay answered = one_of(all, rays_[first + i], i);
             if (valid[i] != 0) compare(first + i, answered, who);
@@ -131,24 +132,49 @@ private:
     }
 
     const TriedMesh& mesh_;
-    const accel::OctreeView tree_;
     const std::vector<ObjectRay>& rays_;
     std::vector<ObjectRay> expected_;
 };
 
+template <class T>
+OctreeWalk rope_walk_of(const std::string& name, const accel::RopeView& tree) {
+    return {name,
+            [=](ObjectRay& ray) {
+                render::NoRopeEvents events;
+                return render::rope_walk<T, false>(tree, ray, events);
+            },
+            [=](const ObjectRay& ray) {
+                ObjectRay asked = ray;
+                render::NoRopeEvents events;
+                return render::rope_walk<T, true>(tree, asked, events);
+            },
+            {},
+            {}};
+}
+
 }  // namespace
 
-const std::vector<OctreeVariant>& octree_variants() {
-    static const std::vector<OctreeVariant> variants = [] {
-        std::vector<OctreeVariant> all = {{"scalar", &render::detail::octree_kernels()}};
-        for (const InstructionSet& set : instruction_sets()) {
-            const UsingInstructionSet using_it(set);
-            const render::detail::OctreeKernels* kernels = render::detail::octree_lane_kernels();
-            if (kernels != nullptr) all.push_back({set.name, kernels});
-        }
-        return all;
-    }();
-    return variants;
+std::vector<OctreeWalk> octree_walks(const TriedOctree& octree) {
+    using render::detail::OctreeKernels;
+    std::vector<OctreeWalk> walks;
+    const auto add = [&](const std::string& name, const OctreeKernels* kernels) {
+        const accel::OctreeView tree = octree.view();
+        walks.push_back(
+            {name, [=](ObjectRay& ray) { return kernels->nearest(tree, ray); },
+             [=](const ObjectRay& ray) { return kernels->blocked(tree, ray); },
+             [=](const std::int32_t* valid, ObjectRays& rays) { kernels->nearest16(tree, valid, rays); },
+             [=](const std::int32_t* valid, ObjectRays& rays) { kernels->nearest16_apart(tree, valid, rays); }});
+    };
+    add("scalar", &render::detail::octree_kernels());
+    for (const InstructionSet& set : instruction_sets()) {
+        const UsingInstructionSet using_it(set);
+        const OctreeKernels* kernels = render::detail::octree_lane_kernels();
+        if (kernels != nullptr) add(set.name, kernels);
+    }
+    walks.push_back(rope_walk_of<float>("balanced ropes", octree.stored_ropes()));
+    walks.push_back(rope_walk_of<float>("free ropes", octree.free_ropes()));
+    walks.push_back(rope_walk_of<double>("free ropes in double", octree.free_ropes()));
+    return walks;
 }
 
 void OctreeTally::add(const OctreeTally& other) {
@@ -159,9 +185,10 @@ void OctreeTally::add(const OctreeTally& other) {
     if (first_wrong.empty()) first_wrong = other.first_wrong;
 }
 
-OctreeTally judge_octree(const TriedMesh& mesh, const accel::OctreeView& tree, const std::vector<ObjectRay>& rays) {
-    Judge judge(mesh, tree, rays);
-    for (const OctreeVariant& variant : octree_variants()) judge.ask(variant);
+OctreeTally judge_octree(const TriedMesh& mesh, const std::vector<OctreeWalk>& walks,
+                         const std::vector<ObjectRay>& rays) {
+    Judge judge(mesh, rays);
+    for (const OctreeWalk& walk : walks) judge.ask(walk);
     return judge.tally;
 }
 

@@ -2,24 +2,27 @@
 // Every way to ask an octree, against brute force.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "accel/octree/linked_octree.h"
 #include "render/object_tracer.h"
-#include "render/octree_kernels.h"
 #include "tests/support/tried_mesh.h"
 
 namespace enfilade::test {
 
-/// A walk: the scalar one, or one of registers by an instruction set.
-struct OctreeVariant {
+/// One way to walk: as the functions of ObjectTracer, for one mesh.
+struct OctreeWalk {
     std::string name;
-    const render::detail::OctreeKernels* kernels;
+    std::function<bool(render::ObjectRay&)> nearest;  ///< whether it hit
+    std::function<bool(const render::ObjectRay&)> blocked;
+    /// nullptr: it walks single rays
+    std::function<void(const std::int32_t*valid, render::ObjectRays&)> nearest16, nearest16_apart;
 };
 
-/// Those that the machine has.
-[[nodiscard]] const std::vector<OctreeVariant>& octree_variants();
+/// Every one there is: the scalar walk, those of registers by every instruction set that the machine has, and those of
+/// the paper. octree: has to outlive them
+[[nodiscard]] std::vector<OctreeWalk> octree_walks(const TriedOctree& octree);
 
 /// What so many rays came to.
 struct OctreeTally {
@@ -32,9 +35,9 @@ struct OctreeTally {
     void add(const OctreeTally& other);
 };
 
-/// Asks for the nearest, whether any, and for all by sixteens, neighbours and strangers, with every variant. Answers
+/// Asks for the nearest, whether any, and for all by sixteens, neighbours and strangers, in every walk. Answers
 /// have to be those of brute force to the last bit. rays: in groups of 16 as they are to be asked together
-[[nodiscard]] OctreeTally judge_octree(const TriedMesh& mesh, const accel::OctreeView& tree,
+[[nodiscard]] OctreeTally judge_octree(const TriedMesh& mesh, const std::vector<OctreeWalk>& walks,
                                        const std::vector<render::ObjectRay>& rays);
 
 }  // namespace enfilade::test

@@ -116,6 +116,9 @@ double TriedMesh::off_triangle(const ObjectRay& ray, std::uint32_t triangle) con
 
 TriedOctree::TriedOctree(const TriedMesh& mesh, const accel::OctreeOptions& options)
     : tree_(accel::build_octree(mesh.part(), options, accel::SerialExecutor())),
-      linked_(tree_, mesh.part(), accel::SerialExecutor()) {}
+      linked_(tree_, mesh.part(), accel::SerialExecutor()),
+      stored_ropes_(tree_, mesh.part(), {.is_balanced = options.is_balanced, .has_stored_boxes = true},
+                    accel::SerialExecutor()),
+      free_ropes_(tree_, mesh.part(), {.is_balanced = false, .has_stored_boxes = false}, accel::SerialExecutor()) {}
 
 }  // namespace enfilade::test

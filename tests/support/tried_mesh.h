@@ -7,6 +7,7 @@
 
 #include "accel/octree/linked_octree.h"
 #include "accel/octree/octree.h"
+#include "accel/octree/rope_octree.h"
 #include "accel/scene.h"
 #include "accel/scene_input.h"
 #include "render/object_tracer.h"
@@ -44,17 +45,21 @@ private:
     float low_[3], high_[3];
 };
 
-/// One of its octrees.
+/// One of its octrees, in every layout.
 class TriedOctree {
 public:
     TriedOctree(const TriedMesh& mesh, const accel::OctreeOptions& options);
     [[nodiscard]] const accel::Octree& tree() const { return tree_; }
     [[nodiscard]] accel::OctreeView view() const { return linked_.view(); }
     [[nodiscard]] std::size_t bytes() const { return linked_.bytes(); }
+    /// The paper's, boxes stored, balanced if the tree is; and one with neighbours of any size and boxes computed.
+    [[nodiscard]] accel::RopeView stored_ropes() const { return stored_ropes_.view(); }
+    [[nodiscard]] accel::RopeView free_ropes() const { return free_ropes_.view(); }
 
 private:
     accel::Octree tree_;
     accel::LinkedOctree linked_;
+    accel::RopeOctree stored_ropes_, free_ropes_;
 };
 
 }  // namespace enfilade::test
