@@ -3,8 +3,6 @@
 
 #include "accel/octree/octree_balance.h"
 
-#include <algorithm>
-
 #include "accel/octree/subtree.h"
 
 namespace enfilade::accel::detail {
@@ -12,18 +10,24 @@ namespace {
 
 class Balancer {
 public:
-    Balancer(Octree& tree, const LatticeTriangles& triangles)
-        : tree_(tree), triangles_(triangles), at_level_(tree.frame.depth + 1) {}
+    Balancer(Octree& tree, const LatticeTriangles& triangles, std::uint64_t budget)
+        : tree_(tree), triangles_(triangles), budget_(budget), at_level_(tree.frame.depth + 1) {}
 
-    void run() {
+    bool run() {
         for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) at_level_[tree_.leaves[i].level].push_back(i);
         // Splits add to the levels above the one that asks.
         for (std::size_t level = at_level_.size(); level-- > 2;)
-            for (const std::uint32_t leaf : at_level_[level]) ask_neighbours(leaf);
+            for (std::size_t i = 0; i < at_level_[level].size() && !is_too_much(); ++i)
+                ask_neighbours(at_level_[level][i]);
+        if (is_too_much()) return false;
         tree_ = in_order();
+        return tree_.leaves.size() + tree_.references.size() <= budget_;
     }
 
 private:
+    /// With what is left behind, which may be as much again.
+    [[nodiscard]] bool is_too_much() const { return tree_.leaves.size() + tree_.references.size() > 2 * budget_; }
+
     void ask_neighbours(std::uint32_t number) {
         const OctreeLeaf leaf = tree_.leaves[number];
         const std::uint32_t width = tree_.width(leaf), side = 1u << tree_.frame.depth;
@@ -62,7 +66,9 @@ private:
             at += octants_.counts[i];
         }
         tree_.references.resize(at);
-        octants_.write(listed_, tree_.references.data(), places);
+        std::array<std::uint32_t*, 8> to;
+        for (std::size_t i = 0; i < 8; ++i) to[i] = tree_.references.data() + places[i];
+        octants_.write(listed_, to);
         const std::size_t child = tree_.children.size();
         const std::ptrdiff_t place = entry == &tree_.root ? -1 : entry - tree_.children.data();
         tree_.children.resize(child + 8);
@@ -109,6 +115,7 @@ private:
 
     Octree& tree_;
     const LatticeTriangles& triangles_;
+    std::uint64_t budget_;
     std::vector<std::vector<std::uint32_t>> at_level_;  ///< leaves
     std::vector<std::uint32_t> listed_;
     OctantTriangles octants_;
@@ -116,6 +123,8 @@ private:
 
 }  // namespace
 
-void balance_octree(Octree& tree, const LatticeTriangles& triangles) { Balancer(tree, triangles).run(); }
+bool balance_octree(Octree& tree, const LatticeTriangles& triangles, std::uint64_t budget) {
+    return Balancer(tree, triangles, budget).run();
+}
 
 }  // namespace enfilade::accel::detail

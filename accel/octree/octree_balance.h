@@ -6,7 +6,8 @@
 namespace enfilade::accel::detail {
 
 /// Splits leaves until it holds, no more than it takes; the triangles of a split leaf are clipped to its octants.
-/// `tree` has places in MeshPart::used for references. Leaves stand in Morton order before and after.
-void balance_octree(Octree& tree, const LatticeTriangles& triangles);
+/// `tree` has places in MeshPart::used for references. Leaves stand in Morton order before and after. False: it would
+/// take more than `budget` leaves and references, or as much memory; the tree is worth nothing then.
+[[nodiscard]] bool balance_octree(Octree& tree, const LatticeTriangles& triangles, std::uint64_t budget);
 
 }  // namespace enfilade::accel::detail

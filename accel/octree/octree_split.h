@@ -38,12 +38,16 @@ public:
         return least_cost(alone) < cost_of_leaf(count);
     }
 
-    /// Whether to build the octants of a node and see: they fit the budget, and might cost less than a leaf, or fewer
-    /// triangles than the leaf has lie in some of them.
+    /// Nodes with more triangles are split where that pays at once, and then for good; below others all is tried, and
+    /// taken back where it was not worth it.
+    [[nodiscard]] static bool is_large(std::uint32_t count) { return count > 4096; }
+
+    /// Whether to build the octants of a node: they fit the budget, and cost less than a leaf, or might once they are
+    /// split in turn; or, where leaves are asked for by size, most triangles lie in few of them.
     [[nodiscard]] bool tries(std::uint32_t count, std::uint64_t budget, const OctantCounts& counts) const {
         if (entries(counts) > budget) return false;
-        if (is_by_cost()) return least_cost(counts) < cost_of_leaf(count);
-        return entries(counts) - 8 <= std::uint64_t{octants_at_most} * count;
+        if (!is_by_cost()) return entries(counts) - 8 <= std::uint64_t{octants_at_most} * count;
+        return (is_large(count) ? cost_of_leaves(counts) : least_cost(counts)) < cost_of_leaf(count);
     }
 
     /// Whether it was worth it.
@@ -73,6 +77,12 @@ private:
     [[nodiscard]] double least_cost(const OctantCounts& counts) const {
         double sum = 0;
         for (const std::uint32_t count : counts) sum += cost_of_leaf(count > 0 ? 1 : 0);
+        return crossed * sum;
+    }
+
+    [[nodiscard]] double cost_of_leaves(const OctantCounts& counts) const {
+        double sum = 0;
+        for (const std::uint32_t count : counts) sum += cost_of_leaf(count);
         return crossed * sum;
     }
 

@@ -7,13 +7,12 @@ namespace {
 
 class SubtreeBuilder {
 public:
-    SubtreeBuilder(const LatticeTriangles& triangles, const SplitRule& rule, std::span<const std::uint32_t> listed)
-        : triangles_(triangles), rule_(rule), lists_(listed.begin(), listed.end()) {}
+    SubtreeBuilder(const LatticeTriangles& triangles, const SplitRule& rule, std::vector<std::uint32_t> listed)
+        : triangles_(triangles), rule_(rule), lists_(std::move(listed)) {}
 
     Subtree build(const OctreeNode& node, std::uint64_t budget) {
-        const Built built = build(node, 0, lists_.size(), budget);
-        tree_.root = built.entry;
-        tree_.cost = built.cost;
+        const bool is_large = SplitRule::is_large(static_cast<std::uint32_t>(lists_.size()));
+        tree_.root = (is_large ? add_leaf(node, 0, lists_.size()) : build(node, 0, lists_.size(), budget)).entry;
         return std::move(tree_);
     }
 
@@ -39,7 +38,9 @@ private:
             at += counts[i];
         }
         lists_.resize(at);
-        octants_.write({lists_.data() + begin, count}, lists_.data(), places);
+        std::array<std::uint32_t*, 8> to;
+        for (std::size_t i = 0; i < 8; ++i) to[i] = lists_.data() + places[i];
+        octants_.write({lists_.data() + begin, count}, to);
         const std::array<std::uint64_t, 8> budgets = SplitRule::shares(budget, counts);
         tree_.children.resize(inner + 8);
         double cost = 0;
@@ -83,16 +84,15 @@ void OctantTriangles::find(const LatticeTriangles& triangles, const OctreeNode& 
         for (std::uint32_t i = 0; i < 8; ++i) counts[i] += octant >> i & 1u;
 }
 
-void OctantTriangles::write(std::span<const std::uint32_t> listed, std::uint32_t* lists,
-                            std::array<std::size_t, 8> places) const {
+void OctantTriangles::write(std::span<const std::uint32_t> listed, std::array<std::uint32_t*, 8> to) const {
     for (std::size_t j = 0; j < listed.size(); ++j)
         for (std::uint32_t rest = octants[j]; rest != 0; rest &= rest - 1)
-            lists[places[static_cast<std::size_t>(std::countr_zero(rest))]++] = listed[j];
+            *to[static_cast<std::size_t>(std::countr_zero(rest))]++ = listed[j];
 }
 
 Subtree build_subtree(const LatticeTriangles& triangles, const SplitRule& rule, const OctreeNode& node,
-                      std::span<const std::uint32_t> listed, std::uint64_t budget) {
-    return SubtreeBuilder(triangles, rule, listed).build(node, budget);
+                      std::vector<std::uint32_t> listed, std::uint64_t budget) {
+    return SubtreeBuilder(triangles, rule, std::move(listed)).build(node, budget);
 }
 
 }  // namespace enfilade::accel::detail

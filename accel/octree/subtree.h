@@ -13,7 +13,6 @@ namespace enfilade::accel::detail {
 /// Its leaves stand in Morton order; numbers count from its own first; references are places in MeshPart::used.
 struct Subtree {
     OctreeEntry root;
-    double cost = 0;
     std::vector<OctreeEntry> children;
     std::vector<OctreeLeaf> leaves;
     std::vector<std::uint32_t> references;
@@ -25,12 +24,12 @@ struct OctantTriangles {
     OctantCounts counts;
 
     void find(const LatticeTriangles& triangles, const OctreeNode& node, std::span<const std::uint32_t> listed);
-    /// The lists of the octants, each from its place in `lists`.
-    void write(std::span<const std::uint32_t> listed, std::uint32_t* lists, std::array<std::size_t, 8> places) const;
+    /// The list of each octant.
+    void write(std::span<const std::uint32_t> listed, std::array<std::uint32_t*, 8> to) const;
 };
 
-/// \pre all `listed` meet `node`, ascending
+/// \pre all `listed` meet `node`, ascending. A large node becomes a leaf.
 [[nodiscard]] Subtree build_subtree(const LatticeTriangles& triangles, const SplitRule& rule, const OctreeNode& node,
-                                    std::span<const std::uint32_t> listed, std::uint64_t budget);
+                                    std::vector<std::uint32_t> listed, std::uint64_t budget);
 
 }  // namespace enfilade::accel::detail
