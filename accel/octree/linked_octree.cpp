@@ -10,10 +10,20 @@ namespace {
 constexpr std::size_t fields = 10;  ///< nine coordinates and the number
 constexpr std::size_t padding = 16;
 
+std::vector<std::uint8_t> occupied_children(const Octree& tree) {
+    std::vector<std::uint8_t> occupied(tree.children.size() / 8, 0);
+    for (std::size_t i = 0; i < tree.children.size(); ++i) {
+        const OctreeEntry child = tree.children[i];
+        if (child.is_leaf() && tree.leaves[child.number()].count == 0) continue;
+        occupied[i / 8] = static_cast<std::uint8_t>(occupied[i / 8] | 1u << (i % 8));
+    }
+    return occupied;
+}
+
 }  // namespace
 
 LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Executor& executor)
-    : frame_(tree.frame), root_(tree.root), children_(tree.children) {
+    : frame_(tree.frame), root_(tree.root), children_(tree.children), occupied_(occupied_children(tree)) {
     if (tree.is_empty()) return;
     std::ranges::fill(low_, std::numeric_limits<float>::max());
     std::ranges::fill(high_, -std::numeric_limits<float>::max());
@@ -69,7 +79,8 @@ OctreeView LinkedOctree::view() const {
             leaves_.empty() ? nullptr : leaves_.data(),
             corners_.data(),
             {low_[0], low_[1], low_[2]},
-            {high_[0], high_[1], high_[2]}};
+            {high_[0], high_[1], high_[2]},
+            occupied_.data()};
 }
 
 }  // namespace enfilade::accel

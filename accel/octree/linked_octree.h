@@ -33,7 +33,8 @@ struct OctreeView {
     /// Of a leaf with n triangles, from `first`: ax of all n, ay, az, bx, by, bz, cx, cy, cz, in the mesh's own space,
     /// then the bits of their numbers, ascending. 16 more floats stand behind the last.
     const float* corners;
-    float low[3], high[3];  ///< of the triangles in it
+    float low[3], high[3];         ///< of the triangles in it
+    const std::uint8_t* occupied;  ///< [inner node]: bit i where child i holds triangles: a leaf with some, or any node
 };
 
 /// Owns the arrays of an OctreeView. Moving it keeps its views.
@@ -45,7 +46,7 @@ public:
     [[nodiscard]] OctreeView view() const;
     [[nodiscard]] std::size_t bytes() const {
         return leaves_.size() * sizeof(LinkedLeaf) + children_.size() * sizeof(OctreeEntry) +
-               corners_.size() * sizeof(float);
+               corners_.size() * sizeof(float) + occupied_.size();
     }
 
 private:
@@ -54,6 +55,7 @@ private:
     std::vector<OctreeEntry> children_;
     std::vector<LinkedLeaf> leaves_;
     std::vector<float> corners_;
+    std::vector<std::uint8_t> occupied_;
     float low_[3] = {0, 0, 0}, high_[3] = {0, 0, 0};
 };
 
