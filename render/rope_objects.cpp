@@ -1,8 +1,10 @@
 #include "render/rope_objects.h"
 
+#include "accel/octree/octree_stats.h"
 #include "accel/octree/rope_octree.h"
 #include "render/mesh_soundness.h"
 #include "render/object_rays.h"
+#include "render/octree_counter.h"
 #include "render/rope_walk.h"
 
 namespace enfilade::render::detail {
@@ -33,17 +35,24 @@ void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid,
     one_by_one(valid, rays, [&](ObjectRay& ray) { return rope_walk<T, false>(tree_of(state, mesh), ray, events); });
 }
 
-class RopeObjects final : public ObjectAccel {
+/// The walk's events: leaves and blocks, without what befell it.
+struct CountedRopes : NoRopeEvents {
+    OctreeWork& work;
+    explicit CountedRopes(OctreeWork& counted) : work(counted) {}
+    void entered_leaf(std::uint32_t leaf, std::uint32_t triangles) { work.entered_leaf(leaf, triangles); }
+};
+
+class RopeObjects final : public ObjectAccel, public OctreeCounter {
 public:
     RopeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
                 const accel::Executor& executor)
-        : trees_(scene.meshes.size()), walks_in_double_(options.walks_in_double) {
+        : trees_(scene.meshes.size()), figures_(scene.meshes.size()), walks_in_double_(options.walks_in_double) {
         const auto is_large = [&](std::size_t mesh) { return scene.meshes[mesh].triangle_count >= large_mesh; };
         executor.run(trees_.size(), [&](std::size_t mesh) {
-            if (used[mesh] && !is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, accel::SerialExecutor());
+            if (used[mesh] && !is_large(mesh)) build(scene, mesh, options, accel::SerialExecutor());
         });
         for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
-            if (used[mesh] && is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, executor);
+            if (used[mesh] && is_large(mesh)) build(scene, mesh, options, executor);
         for (const accel::RopeOctree& tree : trees_) views_.push_back(tree.view());
     }
 
@@ -56,6 +65,17 @@ public:
         for (const accel::RopeOctree& tree : trees_) sum += tree.bytes().total();
         return sum;
     }
+    [[nodiscard]] const OctreeCounter* octrees() const override { return this; }
+    void nearest_counted(accel::MeshId mesh, ObjectRay& ray, OctreeWork& work) const override {
+        CountedRopes events{work};
+        if (walks_in_double_) rope_walk<double, false>(tree_of(views_.data(), mesh), ray, events);
+        else rope_walk<float, false>(tree_of(views_.data(), mesh), ray, events);
+    }
+    [[nodiscard]] accel::OctreeFigures figures() const override {
+        accel::OctreeFigures sum;
+        for (const accel::OctreeFigures& figures : figures_) sum.add(figures);
+        return sum;
+    }
 
 private:
     template <class T>
@@ -63,8 +83,8 @@ private:
         return {views_.data(), &nearest<T>, &nearest16<T>, &nearest16<T>, &blocked<T>};
     }
 
-    static accel::RopeOctree tree_for(const accel::SceneView& scene, std::size_t m, const accel::OctreeOptions& options,
-                                      const accel::Executor& executor) {
+    void build(const accel::SceneView& scene, std::size_t m, const accel::OctreeOptions& options,
+               const accel::Executor& executor) {
         const accel::ObjectMesh& mesh = scene.meshes[m];
         std::vector<std::uint32_t> used;
         used.reserve(mesh.triangle_count);
@@ -72,14 +92,14 @@ private:
             if (can_be_hit(scene, mesh, t)) used.push_back(t);
         const accel::MeshPart part = {scene.mesh_vertices.data() + mesh.first_vertex,
                                       scene.mesh_triangles.data() + mesh.first_triangle, used};
-        return {accel::build_octree(part, options, executor),
-                part,
-                {options.is_balanced, options.has_stored_boxes},
-                executor};
+        const accel::Octree tree = accel::build_octree(part, options, executor);
+        figures_[m].add(accel::octree_stats(tree));
+        trees_[m] = {tree, part, {options.is_balanced, options.has_stored_boxes}, executor};
     }
 
     std::vector<accel::RopeOctree> trees_;
     std::vector<accel::RopeView> views_;
+    std::vector<accel::OctreeFigures> figures_;  ///< [mesh]
     bool walks_in_double_;
 };
 

@@ -32,6 +32,23 @@ void add_tree(const OctreeView& tree, OctreeFigures& sum) {
 
 }  // namespace
 
+void OctreeFigures::add(const OctreeFigures& other) {
+    trees += other.trees;
+    leaves += other.leaves;
+    empty_leaves += other.empty_leaves;
+    references += other.references;
+    depth = std::max(depth, other.depth);
+}
+
+void OctreeFigures::add(const OctreeStats& tree) {
+    if (tree.references == 0) return;
+    ++trees;
+    leaves += tree.leaves;
+    empty_leaves += tree.empty_leaves;
+    references += tree.references;
+    depth = std::max(depth, tree.deepest);
+}
+
 OctreeFigures octree_figures(std::span<const OctreeView> trees) {
     OctreeFigures sum;
     for (const OctreeView& tree : trees) {

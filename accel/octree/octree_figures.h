@@ -6,6 +6,7 @@
 #include <span>
 
 #include "accel/octree/linked_octree.h"
+#include "accel/octree/octree_stats.h"
 
 namespace enfilade::accel {
 
@@ -16,6 +17,9 @@ struct OctreeFigures {
     std::size_t empty_leaves = 0;  ///< of them: without triangles
     std::size_t references = 0;    ///< triangles of all leaves, each as often as it is listed
     std::uint32_t depth = 0;       ///< of the deepest leaf; a root that is a leaf has 0
+
+    void add(const OctreeFigures& other);
+    void add(const OctreeStats& tree);
 };
 
 /// Cost: linear in the nodes.
