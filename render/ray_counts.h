@@ -18,14 +18,20 @@ struct PixelNumbers {
 };
 
 enum class RayCount {
-    Cells,     ///< entered by the ray through the middle of the pixel
-    SideTests  ///< vertical lines tested in them
+    Cells,      ///< entered by the ray through the middle of the pixel, past all objects
+    SideTests,  ///< vertical lines tested in them
+    Leaves,     ///< of octrees, entered by the ray up to its first hit
+    Blocks      ///< of triangles tested in them (octree_counter.h)
 };
 
+class OctreeCounter;
+
 /// Counts by the scalar walk in single precision, one ray a pixel. `cut_z`: as TraceOptions::cut_z. `executor`: nullptr
-/// means all cores; the numbers do not depend on it.
+/// means all cores; the numbers do not depend on it. `octrees`: of this scene, for Leaves and Blocks; nullptr: none, so
+/// these are 0.
 /// \throws InputError (R1, R2, R3) as `trace`
 [[nodiscard]] PixelNumbers count_by_pixel(const accel::SceneView& scene, const Camera& camera, RayCount count,
-                                          std::optional<double> cut_z = {}, const accel::Executor* executor = nullptr);
+                                          std::optional<double> cut_z = {}, const accel::Executor* executor = nullptr,
+                                          const OctreeCounter* octrees = nullptr);
 
 }  // namespace enfilade::render

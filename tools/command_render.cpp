@@ -14,6 +14,7 @@
 #include "tools/commands.h"
 #include "tools/count_pictures.h"
 #include "tools/exit_code.h"
+#include "tools/mesh_scene.h"
 #include "tools/object_accel.h"
 #include "tools/picture_files.h"
 #include "tools/progress.h"
@@ -72,12 +73,16 @@ struct Shot {
     double seconds = 0;
 };
 
+const char* usual_camera(const RenderOptions& options) {
+    return is_mesh_file(options.scene) ? "exterior" : "dollhouse";
+}
+
 Shot chosen_shot(const RenderOptions& options, const accel::SceneView& scene) {
     const auto [width, height] = parse_size(options.size);
     return {{},
             !options.room.empty()
                 ? room_view(scene, options.room, width, height)
-                : named_view(scene, options.camera.empty() ? "dollhouse" : options.camera, width, height),
+                : named_view(scene, options.camera.empty() ? usual_camera(options) : options.camera, width, height),
             {}};
 }
 
@@ -127,6 +132,23 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     return render::trace(scene, view.camera, trace);
 }
 
+std::optional<modeler::UpAxis> up_axis(const RenderOptions& options) {
+    if (options.up.empty()) return std::nullopt;
+    return options.up == "y" ? modeler::UpAxis::Y : modeler::UpAxis::Z;
+}
+
+/// Flags that a mesh, or nothing but a mesh, can do with.
+void check_mesh_flags(const RenderOptions& options, const TracerChoice& choice) {
+    const bool is_mesh = is_mesh_file(options.scene);
+    if (!is_mesh && !options.up.empty())
+        throw InputError("F148", "", "--up says how a mesh stands, and this is none: leave it out.");
+    if (is_mesh && choice.is_oracle)
+        throw InputError("F148", "", "The oracle sees no objects, so it shows no mesh: choose another --tracer.");
+}
+
+/// Whether --show asks for what rays do inside of objects.
+bool counts_octrees(const RenderOptions& options) { return options.show == "leaves" || options.show == "blocks"; }
+
 /// What one run made.
 struct Pictures {
     std::vector<Shot> shots;
@@ -134,7 +156,8 @@ struct Pictures {
     std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
     render::RayStats stats;
     ObjectsSummary objects;
-    std::string counted;  ///< what false colours show; empty: pictures of light
+    std::optional<MeshScene> mesh;  ///< where the pictures are of one; its scene is gone
+    std::string counted;            ///< what false colours show; empty: pictures of light
     nlohmann::ordered_json counts;
 
     [[nodiscard]] std::uint64_t pixels() const {
@@ -152,7 +175,8 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
                        const Console& console) {
     Pictures made;
     Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
-    const accel::Scene scene = accel::open(options.scene);
+    if (is_mesh_file(options.scene)) made.mesh = scene_of_mesh(options.scene, up_axis(options));
+    const accel::Scene scene = made.mesh ? std::move(made.mesh->scene) : accel::open(options.scene);
     const accel::SceneView view = options.no_objects ? without_objects(scene.view()) : scene.view();
     std::copy_n(view.origin, 3, made.origin.begin());
     progress.next();
@@ -163,12 +187,16 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
     std::optional<CountPictures> counts;
     PreparedObjects prepared;
+    if (!choice.is_oracle && (options.show.empty() || counts_octrees(options)))
+        prepared = prepare_objects(view, accel, *cores);
     if (!options.show.empty()) {
+        if (counts_octrees(options) && prepared.accel == nullptr)
+            throw InputError("F139", options.scene.string(),
+                             "Nothing stands in this scene, so there are no " + options.show +
+                                 " to count: build it with --furnish, or choose another --show.");
         std::vector<View> views;
         for (const Shot& shot : made.shots) views.push_back(shot.view);
-        counts.emplace(view, views, options.show, *cores);
-    } else if (!choice.is_oracle) {
-        prepared = prepare_objects(view, accel, *cores);
+        counts.emplace(view, views, options.show, *cores, prepared.accel ? prepared.accel->octrees() : nullptr);
     }
     made.objects = prepared.summary;
     const render::ObjectTracer tracer = prepared.accel ? prepared.accel->tracer() : render::ObjectTracer{};
@@ -222,6 +250,7 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
         json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
     json["mirror_floor"] = choice.mirror_floor;
     json["objects"] = made.objects.json();
+    if (made.mesh) json["mesh"] = made.mesh->json();
     json["shading"] = options.shading;
     json["width"] = made.shots.front().view.camera.width;
     json["height"] = made.shots.front().view.camera.height;
@@ -247,7 +276,9 @@ int run_render(const RenderOptions& options, const Console& console) {
     check_picture_name(options.output);  // a wrong flag is said before the work
     const auto [width, height] = parse_size(options.size);
     const TracerChoice choice = tracer_choice(options);
-    const ObjectAccelChoice accel = object_accel_choice(options.object_accel);
+    check_mesh_flags(options, choice);
+    const ObjectAccelChoice accel =
+        object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : "");
     const Pictures made = make_pictures(options, choice, accel, console);
     if (console.json()) {
         console.print(dump(render_json(options, choice, made)));
@@ -259,6 +290,7 @@ int run_render(const RenderOptions& options, const Console& console) {
                                         : " to " + made.paths.back().filename().string() + ": " +
                                               counted(made.paths.size(), "picture") + " of " + size) +
                 " in " + time_text(made.seconds()) + (made.counted.empty() ? "" : "; " + made.counted) + '.');
+    if (made.mesh) console.say(options.scene.filename().string() + ": " + made.mesh->report() + '.');
     if (options.stats) console.print(ray_report(made.stats, made.pixels()) + made.objects.report());
     return exit_ok;
 }

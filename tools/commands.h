@@ -130,10 +130,13 @@ struct ObjectAccelFlags {
     std::optional<std::uint32_t> octree_depth;  ///< nothing: by the mesh
     std::optional<std::uint32_t> octree_leaf;
     bool octree_balance = false;
+    std::string octree_layout;  ///< "linked", "ropes" or "stored"; empty: linked
+    std::string octree_real;    ///< "float" or "double"; empty: float
 };
 
 struct RenderOptions {
-    std::filesystem::path scene;
+    std::filesystem::path scene;   ///< or a mesh
+    std::string up;                ///< of a mesh: "y" or "z"; empty: what its format usually has
     std::filesystem::path output;  ///< of several views: a folder, or a name with %02d
     std::filesystem::path views;   ///< a file of views: a picture of each; empty: none
     std::string camera;            ///< empty: chosen by `room`, or the whole building
@@ -144,7 +147,7 @@ struct RenderOptions {
     std::string packets;                      ///< "64:8"; empty: the usual ones
     std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors
     std::string shading = "look";
-    std::string show;    ///< "cells" or "sides" a ray in false colours; empty: light
+    std::string show;    ///< "cells", "sides", "leaves" or "blocks" a ray in false colours; empty: light
     bool stats = false;  ///< say what happened to the rays
     ObjectAccelFlags object_accel;
     bool no_objects = false;        ///< rooms without what stands in them

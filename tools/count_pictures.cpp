@@ -27,16 +27,19 @@ View coarse(View view) {
 }  // namespace
 
 CountPictures::CountPictures(const accel::SceneView& scene, std::span<const View> views, const std::string& shown,
-                             const accel::Executor& executor)
-    : scene_(scene), shown_(shown) {
+                             const accel::Executor& executor, const render::OctreeCounter* octrees)
+    : scene_(scene), octrees_(octrees), shown_(shown) {
     std::vector<render::PixelNumbers> small;
     for (const View& view : views) small.push_back(numbers(coarse(view), executor));
     range_ = range_of(small);
 }
 
 render::PixelNumbers CountPictures::numbers(const View& view, const accel::Executor& executor) const {
-    const render::RayCount count = shown_ == "cells" ? render::RayCount::Cells : render::RayCount::SideTests;
-    return render::count_by_pixel(scene_, view.camera, count, view.cut_z, &executor);
+    const render::RayCount count = shown_ == "cells"    ? render::RayCount::Cells
+                                   : shown_ == "sides"  ? render::RayCount::SideTests
+                                   : shown_ == "leaves" ? render::RayCount::Leaves
+                                                        : render::RayCount::Blocks;
+    return render::count_by_pixel(scene_, view.camera, count, view.cut_z, &executor, octrees_);
 }
 
 render::Image CountPictures::picture(const View& view, const accel::Executor& executor) {

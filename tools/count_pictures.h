@@ -15,10 +15,10 @@ namespace enfilade::tools {
 
 class CountPictures {
 public:
-    /// `shown`: "cells" or "sides". The scale spans what small pictures of the views show, so that it is the same in
-    /// all of them. \throws InputError as count_by_pixel
+    /// `shown`: "cells", "sides", "leaves" or "blocks"; the latter two are of `octrees`. The scale spans what small
+    /// pictures of the views show, so that it is the same in all of them. \throws InputError as count_by_pixel
     CountPictures(const accel::SceneView& scene, std::span<const View> views, const std::string& shown,
-                  const accel::Executor& executor);
+                  const accel::Executor& executor, const render::OctreeCounter* octrees = nullptr);
 
     [[nodiscard]] render::Image picture(const View& view, const accel::Executor& executor);
 
@@ -31,6 +31,7 @@ private:
     [[nodiscard]] std::string unit() const { return shown_ + " a ray"; }
 
     const accel::SceneView& scene_;
+    const render::OctreeCounter* octrees_;
     std::string shown_;
     ScaleRange range_;
     std::uint64_t pixels_ = 0;

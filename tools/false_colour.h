@@ -21,7 +21,7 @@ struct ScaleRange {
 [[nodiscard]] ScaleRange range_of(std::span<const render::PixelNumbers> pictures);
 
 /// The pictures of numbers in colours (render::scale_colour), and over its lowest rows a bar with numbers and
-/// `caption` (digits, "+" and the letters acdeilnprstuxy). Pictures under 80 x 60 pixels have no bar.
+/// `caption` (what pixel_font.h can write). Pictures under 80 x 60 pixels have no bar.
 [[nodiscard]] render::Image false_colour(const render::PixelNumbers& numbers, ScaleRange range,
                                          const std::string& caption);
 

@@ -20,10 +20,18 @@ void add_object_accel(CLI::App* command, ObjectAccelFlags& flags) {
               "of octrees: no leaf is smaller than their box halved that often (as deep as pays for the mesh)")
         ->check(CLI::Range(1u, accel::largest_octree_depth));
     add_value(command, "--octree-leaf", flags.octree_leaf, "N",
-              "of octrees: leaves with no more triangles than this are not split (16)")
+              "of octrees: leaves with no more triangles than this are not split (whatever costs a ray least)")
         ->check(CLI::Range(1u, largest_leaf));
     command->add_flag("--octree-balance", flags.octree_balance,
                       "of octrees: leaves that touch differ by one level at most, as in the paper; more leaves");
+    add_value(
+        command, "--octree-layout", flags.octree_layout, "NAME",
+        "of octrees: linked, ours; ropes, as in the paper, with boxes that are computed; stored, as in the paper, "
+        "with boxes that are stored (linked)")
+        ->check(CLI::IsMember({"linked", "ropes", "stored"}));
+    add_value(command, "--octree-real", flags.octree_real, "TYPE",
+              "of the paper's layouts: float or double, the numbers by which rays leave leaves (float)")
+        ->check(CLI::IsMember({"float", "double"}));
 }
 
 }  // namespace
@@ -47,12 +55,16 @@ void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
 }
 
 void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
-    CLI::App* command = add_command(app, invocation, options, "render", "Render a picture of a scene.",
+    CLI::App* command = add_command(app, invocation, options, "render", "Render a picture of a scene, or of a mesh.",
                                     "  enfilade render house.enf -o house.png --camera dollhouse\n"
                                     "  enfilade render house.enf -o kitchen.png --room Kitchen\n"
-                                    "  enfilade render house.enf -o tour/ --views house.views.json",
+                                    "  enfilade render house.enf -o tour/ --views house.views.json\n"
+                                    "  enfilade render bunny.obj -o leaves.png --show leaves",
                                     run_render);
-    add_positional(command, "SCENE", options.scene, "the scene file (.enf)");
+    add_positional(
+        command, "SCENE", options.scene,
+        "the scene file (.enf), or a mesh (.obj, .gltf, .glb, .ply, .off, .stl), which is shown by itself on a "
+        "plain, 2 m large, with the middle of its bottom at 0,0,0");
     add_needed(
         command, "-o,--output", options.output, "FILE",
         "the picture to write, .png or .exr; of several views a folder, like tour/, or a name with a number, like "
@@ -65,6 +77,9 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
               "a picture of each view of this file, as \"enfilade tour\" writes it (docs/views.schema.json)")
         ->excludes(camera)
         ->excludes(room);
+    add_value(command, "--up", options.up, "AXIS",
+              "meshes: which axis of the file points up, y or z (y of OBJ and glTF, z of PLY, OFF and STL)")
+        ->check(CLI::IsMember({"y", "z"}));
     add_value(command, "--size", options.size, "WxH", "width and height in pixels (1024x1024)");
     add_value(command, "--fov-deg", options.fov_deg, "DEGREES", "field of view across the longer side (the view's own)")
         ->check(CLI::Range(1.0, 170.0));
@@ -93,8 +108,9 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
     add_value(command, "--show", options.show, "WHAT",
               "instead of light, in false colours what each pixel's ray costs the scalar tracer: cells, the ones it "
-              "enters, or sides, the vertical lines it is tested against")
-        ->check(CLI::IsMember({"cells", "sides"}));
+              "enters past all objects; sides, the vertical lines it is tested against; leaves, those of objects' "
+              "octrees that it enters up to what it meets; or blocks of 16 triangles that it is tested against there")
+        ->check(CLI::IsMember({"cells", "sides", "leaves", "blocks"}));
     add_object_accel(command, options.object_accel);
     command->add_flag("--no-objects", options.no_objects, "show the rooms without what stands in them");
     command->add_flag(

@@ -17,7 +17,9 @@ namespace {
 std::string given_octree_flag(const ObjectAccelFlags& flags) {
     if (flags.octree_depth) return "--octree-depth";
     if (flags.octree_leaf) return "--octree-leaf";
-    return flags.octree_balance ? "--octree-balance" : "";
+    if (flags.octree_balance) return "--octree-balance";
+    if (!flags.octree_layout.empty()) return "--octree-layout";
+    return flags.octree_real.empty() ? "" : "--octree-real";
 }
 
 render::ObjectAccelKind kind_of(const std::string& name) {
@@ -62,6 +64,14 @@ ObjectAccelChoice object_accel_choice(const ObjectAccelFlags& flags, const std::
     if (flags.octree_depth) choice.octree.depth = *flags.octree_depth;
     if (flags.octree_leaf) choice.octree.leaf_size = *flags.octree_leaf;
     choice.octree.is_balanced = flags.octree_balance;
+    const bool is_papers = flags.octree_layout == "ropes" || flags.octree_layout == "stored";
+    if (!flags.octree_real.empty() && !is_papers)
+        throw InputError(
+            "F139", "",
+            "--octree-real is for the paper's walk: give --octree-layout ropes or stored as well, or leave it out.");
+    choice.octree.layout = is_papers ? accel::OctreeLayout::Ropes : accel::OctreeLayout::Linked;
+    choice.octree.has_stored_boxes = flags.octree_layout == "stored";
+    choice.octree.walks_in_double = flags.octree_real == "double";
     return choice;
 }
 

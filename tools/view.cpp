@@ -26,7 +26,8 @@ constexpr double shown_below = 3;    ///< metres under the floor of a dollhouse
 constexpr double wall_margin = 0.5;  ///< around the rooms of a storey, for the walls that are no cells
 constexpr const char* help =
     "from where: exterior (from the garden), aerial (from above), dollhouse or dollhouse:STOREY (one storey, cut open; "
-    "storeys count from 0), or X,Y,Z:X,Y,Z (the eye, and what it looks at; metres, as in the plan). (dollhouse)";
+    "storeys count from 0), or X,Y,Z:X,Y,Z (the eye, and what it looks at; metres, as in the plan). (dollhouse; of a "
+    "mesh exterior)";
 
 struct Box {
     Vec3d low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -64,9 +65,14 @@ const accel::Space& space_of(const accel::SceneView& scene, const accel::Cell& c
     return scene.spaces[index(cell.space)];
 }
 
-/// What people built: all cells but the outdoors.
+/// What people built: all cells but the outdoors; where there are none, what stands outdoors.
 Box building_box(const accel::SceneView& scene) {
-    const Box box = box_of(scene, [](const accel::Cell& cell) { return cell.label != Label::Exterior; });
+    Box box = box_of(scene, [](const accel::Cell& cell) { return cell.label != Label::Exterior; });
+    if (!box.empty()) return box;
+    for (const accel::PlacedObject& object : scene.objects) {
+        box.add({object.low[0], object.low[1], object.low[2]});
+        box.add({object.high[0], object.high[1], object.high[2]});
+    }
     if (box.empty())
         throw InputError("F106", "", "There is no room in this scene to take a picture of: give --camera X,Y,Z:X,Y,Z.");
     return box;
@@ -149,9 +155,14 @@ View aerial(const accel::SceneView& scene, int width, int height) {
     return view;
 }
 
-/// From the corner of the site on the sun's side, as far as the site goes.
+/// From the corner of the site on the sun's side, as far as the site goes; a single object from somewhat above.
 View exterior(const accel::SceneView& scene, int width, int height) {
     const Box building = building_box(scene);
+    if (std::ranges::all_of(scene.cells, [](const accel::Cell& cell) { return cell.label == Label::Exterior; })) {
+        View view;
+        view.camera = fitted(building, {0.42, -0.85, 0.3}, 30, width, height);
+        return view;
+    }
     const Box outdoors = box_of(scene, [](const accel::Cell& cell) { return cell.label == Label::Exterior; });
     if (outdoors.empty()) throw InputError("F106", "", "This scene has no outdoors: choose another --camera.");
     const double inside = 0.25;  // metres from the end of the site
