@@ -42,14 +42,15 @@ Box box_of(const MeshPart& mesh, const Executor& executor) {
     return boxes.front();
 }
 
-/// The cube about a box, a little wider. Of boxes too small for it in float the lattice is coarser.
+/// The cube about a box, wider by a little: so planes of symmetry, where many meshes have faces and whole fans of
+/// triangles meet, are not planes between cells. Of boxes too small for it in float the lattice is coarser.
 OctreeFrame cube_about(const Box& box, std::uint32_t depth) {
     OctreeFrame frame;
     frame.depth = depth;
     frame.low = box.low;
     double size = 0;
     for (std::size_t k = 0; k < 3; ++k) size = std::max(size, double{box.high[k]} - box.low[k]);
-    const double widened = size * (1 + 0x1p-20);
+    const double widened = size * (1 + 0x1p-8);
     const double cells = widened > 0 ? std::min(double{frame.side()} / widened, 0x1p126) : 1.0;
     frame.cells_a_unit.fill(static_cast<float>(cells));
     return frame;
