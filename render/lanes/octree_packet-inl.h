@@ -2,6 +2,8 @@
 // pass it; the planes between a node's eighths are all that is computed of boxes.
 // No include guard: octree.cpp includes it once for every instruction set.
 
+#include <hwy/cache_control.h>
+
 #include "render/lanes/octree_packet_leaf-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,14 +19,14 @@ struct PacketPlanes {
     }
 };
 
-/// A node on the way down, for the rays that pass it.
+/// A node on the way down, for the rays that pass it. Its eighths are counted in the order in which rays pass them: bit
+/// k of the order is set behind the plane that halves axis k.
 struct alignas(64) PacketNode {
-    /// [axis]: where the node is entered and left, and between them the plane that halves it.
-    float enter[16], middle[3][16], leave[16];
+    float enter[16], middle[3][16], leave[16];  ///< parameters of the rays
     const accel::OctreeEntry* children;
     float low[3], half;
-    Bits rays;
-    Bits left;  ///< children to come, by the order in which rays pass them
+    Bits left;        ///< eighths to come
+    Bits rays_of[8];  ///< which rays pass each
 };
 
 struct PacketWalk {
@@ -34,7 +36,6 @@ struct PacketWalk {
     std::uint32_t flip;  ///< bit k: rays come down axis k
 
     HWY_INLINE void meet(const accel::LinkedLeaf& leaf, Bits some) {
-        if (leaf.count == 0) return;
         const auto registers = static_cast<int>((leaf.count + lane_count - 1) / lane_count);
         if (registers * static_cast<int>(hwy::PopCount(some)) < static_cast<int>(leaf.count)) {
             const LeafColumns columns(tree, leaf, rays);
@@ -45,18 +46,49 @@ struct PacketWalk {
         }
     }
 
+    /// Bits by eighths, in the order in which rays pass them.
+    [[nodiscard]] HWY_INLINE Bits in_order(Bits bits) const {
+        if ((flip & 1u) != 0) bits = (bits & 0x55u) << 1 | (bits >> 1 & 0x55u);
+        if ((flip & 2u) != 0) bits = (bits & 0x33u) << 2 | (bits >> 2 & 0x33u);
+        if ((flip & 4u) != 0) bits = (bits & 0x0fu) << 4 | bits >> 4;
+        return bits;
+    }
+
     HWY_INLINE void open(PacketNode& node, accel::OctreeEntry entry, float x, float y, float z, float half, Bits some,
                          const Floats<16>& enter, const Floats<16>& leave) {
+        using F = Floats<16>;
         node.children = tree.children + std::size_t{8} * entry.number();
         node.low[0] = x;
         node.low[1] = y;
         node.low[2] = z;
         node.half = half;
-        node.rays = some;
-        node.left = 0xff;
+        const F mx = planes.at(0, x + half), my = planes.at(1, y + half), mz = planes.at(2, z + half);
         store(enter, node.enter);
         store(leave, node.leave);
-        for (int k = 0; k < 3; ++k) store(planes.at(k, node.low[k] + half), node.middle[k]);
+        store(mx, node.middle[0]);
+        store(my, node.middle[1]);
+        store(mz, node.middle[2]);
+        const F in1 = largest(enter, mx), in2 = largest(enter, my), in3 = largest(in1, my);
+        const F out6 = least(leave, mx), out5 = least(leave, my), out4 = least(out6, my);
+        const F out3 = least(leave, mz), out2 = least(out6, mz), out1 = least(out5, mz), out0 = least(out4, mz);
+        node.rays_of[0] = some & is_at_most(enter, out0);
+        node.rays_of[1] = some & is_at_most(in1, out1);
+        node.rays_of[2] = some & is_at_most(in2, out2);
+        node.rays_of[3] = some & is_at_most(in3, out3);
+        node.rays_of[4] = some & is_at_most(largest(enter, mz), out4);
+        node.rays_of[5] = some & is_at_most(largest(in1, mz), out5);
+        node.rays_of[6] = some & is_at_most(largest(in2, mz), out6);
+        node.rays_of[7] = some & is_at_most(largest(in3, mz), leave);
+        Bits passed = 0;
+        for (int i = 0; i < 8; ++i) passed |= (node.rays_of[i] != 0 ? 1u : 0u) << i;
+        node.left = passed & in_order(tree.occupied[entry.number()]);
+        for (Bits left = node.left; left != 0; left &= left - 1) {
+            const accel::OctreeEntry child = node.children[first_bit(left) ^ flip];
+            const void* const next = child.is_leaf()
+                                         ? static_cast<const void*>(tree.leaves + child.number())
+                                         : static_cast<const void*>(tree.children + std::size_t{8} * child.number());
+            hwy::Prefetch(next);
+        }
     }
 
     void run(Bits some, const Floats<16>& enter, const Floats<16>& leave) {
@@ -75,19 +107,20 @@ struct PacketWalk {
             node->left &= node->left - 1;
             const std::uint32_t octant = order ^ flip;
             const accel::OctreeEntry child = node->children[octant];
-            if (child.is_leaf() && tree.leaves[child.number()].count == 0) continue;
-            const auto plane = [&](int k, bool is_behind) HWY_ATTR {
-                return load<16>((order >> k & 1u) != 0 ? (is_behind ? node->leave : node->middle[k])
-                                                       : (is_behind ? node->middle[k] : node->enter));
+            const auto plane = [&](int k) HWY_ATTR {
+                return load<16>((order >> k & 1u) != 0 ? node->middle[k] : node->enter);
             };
-            const F in = largest(largest(plane(0, false), plane(1, false)), plane(2, false));
-            const F out = least(least(plane(0, true), plane(1, true)), plane(2, true));
-            const Bits here = node->rays & is_at_most(in, least(out, load<16>(rays.far)));
+            const F in = largest(largest(plane(0), plane(1)), plane(2)), far = load<16>(rays.far);
+            const Bits here = node->rays_of[order] & is_at_most(in, far);
             if (here == 0) continue;
             if (child.is_leaf()) {
                 meet(tree.leaves[child.number()], here);
                 continue;
             }
+            const auto plane_behind = [&](int k) HWY_ATTR {
+                return load<16>((order >> k & 1u) != 0 ? node->leave : node->middle[k]);
+            };
+            const F out = least(least(plane_behind(0), plane_behind(1)), least(plane_behind(2), far));
             const float half = node->half;
             const float x = node->low[0] + ((octant & 1u) != 0 ? half : 0.0f);
             const float y = node->low[1] + ((octant & 2u) != 0 ? half : 0.0f);
