@@ -1,7 +1,8 @@
 #pragma once
-// How a ray walks through the leaves of a mesh's octree: out of one by the face by which it leaves its box, into the
-// one behind. One ray at a time; header-only, for host and device. Everything is counted in the octree's lattice, where
-// boxes are whole numbers; the parameter stays the ray's own.
+// How a ray walks through the leaves of a mesh's octree: out of one by the box by which it may leave it, into the one
+// behind. One ray at a time; header-only, for host and device. Everything is counted in the octree's lattice, where
+// boxes are whole numbers, mirrored so that rays go up along every axis; the parameter stays the ray's own.
+// lanes/octree_ray-inl.h does the same in registers, number by number.
 
 #include <cstdint>
 
@@ -20,66 +21,105 @@ struct NoOctreeEvents {
     ENFILADE_HD void descended(std::uint32_t /*levels*/) {}
 };
 
-/// A ray in the lattice.
+/// A ray in the lattice, mirrored along the axes where its direction is negative.
 struct LatticeRay {
     float origin[3];
-    float direction[3];
-    float inverse[3];  ///< of the direction; 0 where it is as good as 0: by those faces nothing is left
+    float direction[3];       ///< none is 0: the smallest are what moves the ray by less than roundings
+    float inverse[3];         ///< of the direction
+    std::uint32_t mirror[3];  ///< a cell and this, by exclusive or, are the cell in the tree's own lattice
+    std::uint32_t octant;     ///< towards which it goes
+    int exponent;             ///< the walk's parameter is the ray's, times 2^exponent: 0 but for extreme directions
 };
 
-ENFILADE_HD LatticeRay lattice_ray(const accel::OctreeFrame& frame, const ObjectRay& ray) {
+/// Directions whose largest component (in the lattice) is less than the inverse of that, or more, are scaled.
+inline constexpr float extreme_direction = 0x1p90f;
+/// Components smaller than that share of the largest count as that: over the whole octree they move a ray by less than
+/// roundings do.
+inline constexpr float least_share = 0x1p-30f;
+
+ENFILADE_HD LatticeRay lattice_ray(const accel::OctreeView& tree, const ObjectRay& ray) {
     const float o[3] = {ray.origin_x, ray.origin_y, ray.origin_z};
-    const float d[3] = {ray.direction_x, ray.direction_y, ray.direction_z};
+    float d[3] = {ray.direction_x, ray.direction_y, ray.direction_z};
+    const float side = tree.frame.side();
     LatticeRay r;
+    r.octant = 0;
+    r.exponent = 0;
+    float largest = 0;
+    for (int k = 0; k < 3; ++k) largest = larger(largest, magnitude(d[k] * tree.box.cells_a_unit[k]));
+    if (!(largest * extreme_direction >= 1.0f && largest <= extreme_direction)) {
+        const float length = larger(larger(magnitude(d[0]), magnitude(d[1])), magnitude(d[2]));
+        if (length > 0) r.exponent = exponent_of(length);
+        for (float& each : d) each = scaled(each, -r.exponent);
+        largest = 0;
+        for (int k = 0; k < 3; ++k) largest = larger(largest, magnitude(d[k] * tree.box.cells_a_unit[k]));
+    }
+    const float least = largest * least_share;
     for (int k = 0; k < 3; ++k) {
-        r.origin[k] = (o[k] - frame.low.data()[k]) * frame.cells_a_unit.data()[k];
-        r.direction[k] = d[k] * frame.cells_a_unit.data()[k];
-        r.inverse[k] = magnitude(r.direction[k]) >= 0x1p-100f ? 1.0f / r.direction[k] : 0.0f;
+        const float origin = (o[k] - tree.box.origin[k]) * tree.box.cells_a_unit[k];
+        const float direction = d[k] * tree.box.cells_a_unit[k];
+        const bool is_mirrored = direction < 0.0f;
+        r.origin[k] = is_mirrored ? side - origin : origin;
+        r.direction[k] = larger(magnitude(direction), least);
+        r.inverse[k] = 1.0f / r.direction[k];
+        r.mirror[k] = is_mirrored ? (1u << tree.frame.depth) - 1 : 0;
+        r.octant |= is_mirrored ? 0 : 1u << k;
     }
     return r;
 }
 
 /// The part of the ray in the box of the triangles, widened by more than roundings; false: there is none.
 ENFILADE_HD bool part_in_box(const accel::OctreeView& tree, const LatticeRay& r, float& enter, float& leave) {
-    const float slack = static_cast<float>(accel::octree_slack) * tree.frame.side();
+    const float side = tree.frame.side();
     for (int k = 0; k < 3; ++k) {
-        const float scale = tree.frame.cells_a_unit.data()[k], base = tree.frame.low.data()[k];
-        const float low = (tree.low[k] - base) * scale - slack, high = (tree.high[k] - base) * scale + slack;
-        if (r.inverse[k] == 0.0f) {
-            if (r.origin[k] < low || r.origin[k] > high) return false;
-            continue;
-        }
+        const bool is_mirrored = (r.octant >> k & 1u) == 0;
+        const float low = is_mirrored ? side - tree.box.to[k] : tree.box.from[k];
+        const float high = is_mirrored ? side - tree.box.from[k] : tree.box.to[k];
         const float a = (low - r.origin[k]) * r.inverse[k], b = (high - r.origin[k]) * r.inverse[k];
-        enter = larger(enter, a < b ? a : b);
-        leave = (a < b ? b : a) < leave ? (a < b ? b : a) : leave;
+        enter = larger(enter, a);
+        leave = b < leave ? b : leave;
     }
     return enter <= leave;
 }
 
-/// A cell of the lattice.
+/// A cell of the ray's (mirrored) lattice.
 struct LatticeCell {
-    std::uint32_t at[3];
+    std::int32_t at[3];
 };
 
-ENFILADE_HD std::uint32_t within(float p, float low, float high) {
-    const float q = p > low ? p : low;
-    return static_cast<std::uint32_t>(q < high - 1 ? q : high - 1);
+ENFILADE_HD LatticeCell first_cell(const accel::OctreeView& tree, const LatticeRay& r, float enter) {
+    LatticeCell cell;
+    for (int k = 0; k < 3; ++k) {
+        const float p = larger(r.origin[k] + enter * r.direction[k], 0.0f), most = tree.frame.side() - 1.0f;
+        cell.at[k] = static_cast<std::int32_t>(p < most ? p : most);
+    }
+    return cell;
 }
 
-/// The leaf that holds a cell, from a node at `level` that holds it.
+/// Bit i of a number to bit 3 i.
+ENFILADE_HD std::uint64_t spread_bits(std::uint32_t number) {
+    std::uint64_t x = number;
+    x = (x | x << 32) & 0x001f00000000ffffu;
+    x = (x | x << 16) & 0x001f0000ff0000ffu;
+    x = (x | x << 8) & 0x100f00f00f00f00fu;
+    x = (x | x << 4) & 0x10c30c30c30c30c3u;
+    return (x | x << 2) & 0x1249249249249249u;
+}
+
+/// The leaf that holds a cell.
 template <class Events>
-ENFILADE_HD std::uint32_t leaf_at(const accel::OctreeView& tree, accel::OctreeEntry from, std::uint32_t level,
-                                  const LatticeCell& cell, Events& events) {
-    std::uint32_t levels = 0;
-    while (!from.is_leaf()) {
-        const std::uint32_t bit = tree.frame.depth - 1 - level++;
-        const std::uint32_t octant =
-            (cell.at[0] >> bit & 1u) | (cell.at[1] >> bit & 1u) << 1 | (cell.at[2] >> bit & 1u) << 2;
-        from = tree.children[8 * std::size_t{from.number()} + octant];
-        ++levels;
+ENFILADE_HD accel::JumpEntry leaf_at(const accel::OctreeView& tree, const LatticeRay& r, const LatticeCell& cell,
+                                     Events& events) {
+    std::uint64_t place = 0;
+    for (int k = 0; k < 3; ++k) place |= spread_bits(static_cast<std::uint32_t>(cell.at[k]) ^ r.mirror[k]) << k;
+    std::uint32_t shift = 3 * (tree.frame.depth - tree.jump_levels), jumps = 1;
+    accel::JumpEntry entry = tree.jumps[place >> shift];
+    while (!entry.is_leaf()) {
+        shift -= 6;
+        entry = tree.jumps[entry.bits + static_cast<std::uint32_t>(place >> shift & 63u)];
+        ++jumps;
     }
-    events.descended(levels);
-    return from.number();
+    events.descended(jumps);
+    return entry;
 }
 
 /// The triangle in a place of its leaf.
@@ -115,33 +155,46 @@ ENFILADE_HD bool meets_leaf(const accel::OctreeView& tree, const accel::LinkedLe
     return false;
 }
 
-/// By which face the ray leaves a box, and where.
+/// Where the ray leaves the box about a leaf.
 struct BoxExit {
-    int axis;
-    float t;
+    std::int32_t plane[3];  ///< the cells behind the box's faces
+    float t[3], least;      ///< where it meets those faces, and the first of them
 };
 
-ENFILADE_HD BoxExit exit_of(const accel::LinkedLeaf& leaf, const LatticeRay& r) {
-    BoxExit exit = {-1, 0};
+/// The octree's own faces count as being far behind: rays leave it where they leave the box of its triangles.
+ENFILADE_HD BoxExit exit_of(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, std::uint32_t width,
+                            const LatticeRay& r, const LatticeCell& cell) {
+    BoxExit exit;
+    const std::uint32_t unit = accel::exit_unit(width);
     for (int k = 0; k < 3; ++k) {
-        if (r.inverse[k] == 0.0f) continue;
-        const float t = ((r.inverse[k] > 0 ? leaf.high[k] : leaf.low[k]) - r.origin[k]) * r.inverse[k];
-        if (exit.axis < 0 || t < exit.t) exit = {k, t};
+        const std::int32_t low = cell.at[k] & -(1 << width);
+        exit.plane[k] = low + (leaf.exits[r.octant][k] << unit);
+        const bool is_border = exit.plane[k] >= (1 << tree.frame.depth);
+        const float plane = is_border ? 0x1p60f : static_cast<float>(exit.plane[k]);
+        exit.t[k] = (plane - r.origin[k]) * r.inverse[k];
     }
+    exit.least = exit.t[0] < exit.t[1] ? exit.t[0] : exit.t[1];
+    exit.least = exit.least < exit.t[2] ? exit.least : exit.t[2];
     return exit;
 }
 
-/// The cell behind the face. No step goes back along any axis, so a walk ends.
-ENFILADE_HD void step(const accel::LinkedLeaf& leaf, const LatticeRay& r, const BoxExit& exit, LatticeCell& cell) {
+/// The cell behind the face. No step goes back along any axis, and each goes on along one, so a walk ends.
+ENFILADE_HD void step(const LatticeRay& r, const BoxExit& exit, LatticeCell& cell) {
     for (int k = 0; k < 3; ++k) {
-        const bool is_up = r.inverse[k] > 0;
-        if (k == exit.axis) {
-            cell.at[k] = static_cast<std::uint32_t>(is_up ? leaf.high[k] : leaf.low[k] - 1);
+        if (exit.t[k] <= exit.least) {
+            cell.at[k] = exit.plane[k];
         } else {
-            const std::uint32_t to = within(r.origin[k] + exit.t * r.direction[k], leaf.low[k], leaf.high[k]);
-            if (is_up ? to > cell.at[k] : to < cell.at[k]) cell.at[k] = to;
+            const auto to = static_cast<std::int32_t>(r.origin[k] + exit.least * r.direction[k]);
+            const std::int32_t inside = to < exit.plane[k] ? to : exit.plane[k] - 1;
+            cell.at[k] = inside > cell.at[k] ? inside : cell.at[k];
         }
     }
+}
+
+/// Where the walk ends: at what was found, or where the ray leaves the triangles' box.
+ENFILADE_HD float end_of_walk(const LatticeRay& r, float far, float leave) {
+    const float t = r.exponent == 0 ? far : scaled(far, r.exponent);
+    return t < leave ? t : leave;
 }
 
 /// Finds the nearest triangle in [near, far] as ObjectTracer::nearest tells; of several at one distance the one that
@@ -151,26 +204,20 @@ ENFILADE_HD bool octree_walk(const accel::OctreeView& tree, ObjectRay& ray, Even
     if (tree.leaves == nullptr || !(ray.near <= ray.far)) return false;
     ObjectRay asked = ray;
     const float moved = bring_near(tree.low, tree.high, asked);
-    const LatticeRay r = lattice_ray(tree.frame, asked);
-    float enter = asked.near, leave = asked.far;
+    const LatticeRay r = lattice_ray(tree, asked);
+    float enter = r.exponent == 0 ? asked.near : scaled(asked.near, r.exponent);
+    float leave = r.exponent == 0 ? asked.far : scaled(asked.far, r.exponent);
     if (!part_in_box(tree, r, enter, leave)) return false;
     const ShearedRay sheared = sheared_ray(asked);
-    LatticeCell cell;
-    for (int k = 0; k < 3; ++k) cell.at[k] = within(r.origin[k] + enter * r.direction[k], 0.0f, tree.frame.side());
-    accel::OctreeEntry from = tree.root;
-    std::uint32_t level = 0;
+    LatticeCell cell = first_cell(tree, r, enter);
     while (true) {
-        const std::uint32_t number = leaf_at(tree, from, level, cell, events);
-        const accel::LinkedLeaf& leaf = tree.leaves[number];
-        events.entered_leaf(number, leaf.count);
+        const accel::JumpEntry entry = leaf_at(tree, r, cell, events);
+        const accel::LinkedLeaf& leaf = tree.leaves[entry.number()];
+        events.entered_leaf(entry.number(), leaf.count);
         if (meets_leaf<any>(tree, leaf, sheared, asked)) return true;
-        const BoxExit exit = exit_of(leaf, r);
-        if (exit.axis < 0 || !(exit.t < asked.far) || exit.t > leave) break;
-        const int face = 2 * exit.axis + (r.inverse[exit.axis] > 0 ? 1 : 0);
-        if (leaf.rope_level[face] == accel::no_neighbour) break;
-        step(leaf, r, exit, cell);
-        from = leaf.rope[face];
-        level = leaf.rope_level[face];
+        const BoxExit exit = exit_of(tree, leaf, entry.width(), r, cell);
+        if (!(exit.least < end_of_walk(r, asked.far, leave))) break;
+        step(r, exit, cell);
     }
     if (asked.triangle == ray.triangle) return false;
     ray.far = asked.far + moved;

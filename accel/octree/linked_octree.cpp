@@ -4,6 +4,8 @@
 #include <bit>
 #include <limits>
 
+#include "accel/octree/exit_boxes.h"
+
 namespace enfilade::accel {
 namespace {
 
@@ -39,20 +41,17 @@ LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Execu
     }
     leaves_.resize(tree.leaves.size());
     corners_.assign(tree.references.size() * fields + padding, 0.0f);
-    const std::uint32_t side = 1u << tree.frame.depth;
-    parallel_for(executor, tree.leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    jumps_ = build_jump_table(tree);
+    const FullCells cells(tree, executor);
+    parallel_for(executor, tree.leaves.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const OctreeLeaf& from = tree.leaves[i];
             LinkedLeaf& to = leaves_[i];
-            const std::uint32_t width = tree.width(from);
-            for (std::size_t k = 0; k < 3; ++k) {
-                to.low[k] = static_cast<float>(from.low[k]);
-                to.high[k] = static_cast<float>(from.low[k] + width);
-                const bool is_border[2] = {from.low[k] == 0, from.low[k] + width == side};
-                for (std::size_t up = 0; up < 2; ++up) {
-                    to.rope[2 * k + up] = tree.root;
-                    to.rope_level[2 * k + up] = is_border[up] ? no_neighbour : 0;
-                }
+            const std::uint32_t unit = exit_unit(tree.frame.depth - from.level);
+            for (std::uint32_t octant = 0; octant < 8; ++octant) {
+                const std::array<std::uint32_t, 3> extent = exit_extent(tree, from, cells, octant);
+                for (std::size_t k = 0; k < 3; ++k)
+                    to.exits[octant][k] = static_cast<std::uint8_t>(std::min(extent[k] >> unit, 255u));
             }
             to.first = static_cast<std::uint32_t>(fields * from.first);
             to.count = from.count;
@@ -73,14 +72,27 @@ LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Execu
 }
 
 OctreeView LinkedOctree::view() const {
-    return {frame_,
-            root_,
-            children_.data(),
-            leaves_.empty() ? nullptr : leaves_.data(),
-            corners_.data(),
-            {low_[0], low_[1], low_[2]},
-            {high_[0], high_[1], high_[2]},
-            occupied_.data()};
+    OctreeView view = {frame_,
+                       root_,
+                       children_.data(),
+                       leaves_.empty() ? nullptr : leaves_.data(),
+                       corners_.data(),
+                       {low_[0], low_[1], low_[2]},
+                       {high_[0], high_[1], high_[2]},
+                       occupied_.data(),
+                       jumps_.entries.data(),
+                       jumps_.levels,
+                       {}};
+    const float slack = static_cast<float>(octree_slack) * frame_.side();
+    for (std::size_t k = 0; k < 3; ++k) {
+        view.box.origin[k] = frame_.low[k];
+        view.box.cells_a_unit[k] = frame_.cells_a_unit[k];
+        view.box.low[k] = low_[k];
+        view.box.high[k] = high_[k];
+        view.box.from[k] = (low_[k] - frame_.low[k]) * frame_.cells_a_unit[k] - slack;
+        view.box.to[k] = (high_[k] - frame_.low[k]) * frame_.cells_a_unit[k] + slack;
+    }
+    return view;
 }
 
 }  // namespace enfilade::accel

@@ -1,28 +1,34 @@
 #pragma once
-// The octree as our own tracers walk it: a cache line a leaf, with the box to leave by, links to what lies behind its
-// six faces, and its triangles laid out for registers of them.
+// The octree as our own tracers walk it: half a cache line a leaf, with the boxes to leave it by, a table that finds
+// the leaf behind them, and its triangles laid out for registers of them.
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "accel/octree/jump_table.h"
 #include "accel/octree/octree.h"
 
 namespace enfilade::accel {
 
-/// A leaf. Its box may reach past the leaf into empty neighbours: all triangles in the box are those of the leaf.
-struct alignas(64) LinkedLeaf {
-    float low[3];                ///< of the box, in the lattice: whole numbers
-    std::uint32_t first;         ///< of its triangles, into `corners`
-    float high[3];               ///< of the box
-    std::uint32_t count;         ///< of its triangles
-    OctreeEntry rope[6];         ///< [2 axis + (towards higher ? 1 : 0)]: holds all that lies behind that face
-    std::uint8_t rope_level[6];  ///< of the node that the rope leads to; `no_neighbour`: the ray leaves the octree
-    std::uint16_t reserved;
+/// A leaf. A ray towards an octant leaves it by a box that may reach past the leaf into empty neighbours
+/// (exit_boxes.h).
+struct alignas(32) LinkedLeaf {
+    std::uint8_t exits[8][3];  ///< [octant][axis]: extent of the box, in units of 2^exit_unit cells
+    std::uint32_t first;       ///< of its triangles, into `corners`
+    std::uint32_t count;       ///< of its triangles
 };
-static_assert(sizeof(LinkedLeaf) == 64);
+static_assert(sizeof(LinkedLeaf) == 32);
 
-inline constexpr std::uint8_t no_neighbour = 0xff;
+/// Of the exits of a leaf 2^width cells wide: an eighth of its width, at least a cell.
+[[nodiscard]] ENFILADE_HD std::uint32_t exit_unit(std::uint32_t width) { return width > 3 ? width - 3 : 0; }
+
+/// Where the triangles lie, for a walk's start: x, y, z and nothing.
+struct alignas(16) LatticeBox {
+    float origin[4], cells_a_unit[4];  ///< of the lattice, as in OctreeFrame
+    float low[4], high[4];             ///< of the triangles, in the mesh's own space
+    float from[4], to[4];              ///< the same in the lattice, wider by octree_slack
+};
 
 /// Plain pointers, safe to copy to a device.
 struct OctreeView {
@@ -35,6 +41,9 @@ struct OctreeView {
     const float* corners;
     float low[3], high[3];         ///< of the triangles in it
     const std::uint8_t* occupied;  ///< [inner node]: bit i where child i holds triangles: a leaf with some, or any node
+    const JumpEntry* jumps;        ///< JumpTable::entries
+    std::uint32_t jump_levels;     ///< JumpTable::levels
+    LatticeBox box;
 };
 
 /// Owns the arrays of an OctreeView. Moving it keeps its views.
@@ -46,7 +55,7 @@ public:
     [[nodiscard]] OctreeView view() const;
     [[nodiscard]] std::size_t bytes() const {
         return leaves_.size() * sizeof(LinkedLeaf) + children_.size() * sizeof(OctreeEntry) +
-               corners_.size() * sizeof(float) + occupied_.size();
+               corners_.size() * sizeof(float) + occupied_.size() + jumps_.entries.size() * sizeof(JumpEntry);
     }
 
 private:
@@ -55,6 +64,7 @@ private:
     std::vector<OctreeEntry> children_;
     std::vector<LinkedLeaf> leaves_;
     std::vector<float> corners_;
+    JumpTable jumps_;
     std::vector<std::uint8_t> occupied_;
     float low_[3] = {0, 0, 0}, high_[3] = {0, 0, 0};
 };

@@ -5,18 +5,26 @@ HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
-/// One ray's shear in all lanes (triangle_test.h).
+/// One ray's shear in all lanes, and which columns it calls x, y and z (triangle_test.h).
 struct ShearedLanes {
     V shear_x, shear_y, shear_z, x, y, z;
+    std::size_t kx, ky, kz;
 
-    HWY_INLINE explicit ShearedLanes(const ShearedRay& r) {
+    HWY_INLINE explicit ShearedLanes(const ObjectRay& ray) {
         const D d;
-        shear_x = hn::Set(d, r.shear_x);
-        shear_y = hn::Set(d, r.shear_y);
-        shear_z = hn::Set(d, r.shear_z);
-        x = hn::Set(d, r.origin[r.kx]);
-        y = hn::Set(d, r.origin[r.ky]);
-        z = hn::Set(d, r.origin[r.kz]);
+        const float *origin = &ray.origin_x, *direction = &ray.direction_x;
+        const float ax = magnitude(direction[0]), ay = magnitude(direction[1]), az = magnitude(direction[2]);
+        const std::size_t is_z = static_cast<std::size_t>(az >= ax) & static_cast<std::size_t>(az >= ay);
+        kz = is_z << 1 | (~is_z & static_cast<std::size_t>(ay >= ax));
+        kx = 9u >> 2 * kz & 3u;   // 1, 2, 0
+        ky = 18u >> 2 * kz & 3u;  // 2, 0, 1
+        const float along = 1.0f / direction[kz];
+        shear_x = hn::Set(d, direction[kx] * along);
+        shear_y = hn::Set(d, direction[ky] * along);
+        shear_z = hn::Set(d, along);
+        x = hn::Set(d, origin[kx]);
+        y = hn::Set(d, origin[ky]);
+        z = hn::Set(d, origin[kz]);
     }
 };
 
@@ -53,11 +61,11 @@ struct NearestInLeaf {
 /// meets_leaf in lanes: the same numbers by the same operations. Returns whether one was met that is nearer.
 template <bool any>
 HWY_INLINE bool leaf_met(const float* HWY_RESTRICT corners, std::uint32_t first, std::uint32_t count,
-                         const ShearedRay& r, const ShearedLanes& s, float near, NearestInLeaf& best) {
+                         const ShearedLanes& s, float near, NearestInLeaf& best) {
     const D d;
     const float* HWY_RESTRICT at = corners + first;
     const std::size_t n = count;
-    const float *column_x = at + n * r.kx, *column_y = at + n * r.ky, *column_z = at + n * r.kz;
+    const float *column_x = at + n * s.kx, *column_y = at + n * s.ky, *column_z = at + n * s.kz;
     bool is_met = false;
     for (std::size_t i = 0; i < n; i += lane_count) {
         const V a_along = hn::Sub(hn::LoadU(d, column_z + i), s.z);
@@ -103,33 +111,128 @@ HWY_INLINE bool leaf_met(const float* HWY_RESTRICT corners, std::uint32_t first,
     return is_met;
 }
 
-/// octree_walk in lanes: the same leaves, the same answers.
+using D4 = hn::FixedTag<float, 4>;
+using DI4 = hn::RebindToSigned<D4>;
+using V4 = hn::Vec<D4>;
+using VI4 = hn::Vec<DI4>;
+
+/// x, y, z of four lanes turned in a ring: the least and the largest of three, in each of them.
+struct Ring {
+    hn::Indices128<float> next, last;
+    HWY_INLINE Ring() {
+        alignas(16) static constexpr std::int32_t yzx[4] = {1, 2, 0, 3}, zxy[4] = {2, 0, 1, 3};
+        next = hn::SetTableIndices(D4(), yzx);
+        last = hn::SetTableIndices(D4(), zxy);
+    }
+    HWY_INLINE V4 least(V4 v) const {
+        return hn::Min(hn::Min(v, hn::TableLookupLanes(v, next)), hn::TableLookupLanes(v, last));
+    }
+    HWY_INLINE V4 largest(V4 v) const {
+        return hn::Max(hn::Max(v, hn::TableLookupLanes(v, next)), hn::TableLookupLanes(v, last));
+    }
+};
+
+/// A bit each lane.
+HWY_INLINE Bits bits_of_4(hn::Mask<D4> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(D4(), mask, bytes);
+    return bytes[0];
+}
+
+/// Towards 0; what does not fit is of no use to anybody.
+HWY_INLINE VI4 whole_part(V4 v) {
+#if HWY_ARCH_X86
+    return VI4{_mm_cvttps_epi32(v.raw)};
+#else
+    return hn::ConvertTo(DI4(), v);
+#endif
+}
+
+/// The place of a cell in Morton order.
+HWY_INLINE std::uint64_t place_of(VI4 cell) {
+    alignas(16) std::uint64_t at[2];
+    hn::Store(hn::BitCast(hn::FixedTag<std::uint64_t, 2>(), cell), hn::FixedTag<std::uint64_t, 2>(), at);
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+    constexpr std::uint64_t thirds = 0x1249249249249249u;
+    return _pdep_u64(at[0] & 0xffffffffu, thirds) | _pdep_u64(at[0] >> 32, thirds << 1) |
+           _pdep_u64(at[1] & 0xffffffffu, thirds << 2);
+#else
+    return spread_bits(static_cast<std::uint32_t>(at[0])) | spread_bits(static_cast<std::uint32_t>(at[0] >> 32)) << 1 |
+           spread_bits(static_cast<std::uint32_t>(at[1])) << 2;
+#endif
+}
+
+/// What octree_walk does, number by number. ray: near the mesh; `moved`: by which bring_near moved it.
 template <bool any>
-HWY_INLINE bool ray_walk(const accel::OctreeView& tree, const ObjectRay& ray, ObjectRay* answer) {
-    if (tree.leaves == nullptr || !(ray.near <= ray.far)) return false;
-    ObjectRay asked = ray;
-    const float moved = bring_near(tree.low, tree.high, asked);
-    const LatticeRay r = lattice_ray(tree.frame, asked);
-    float enter = asked.near, leave = asked.far;
-    if (!part_in_box(tree, r, enter, leave)) return false;
-    const ShearedRay sheared = sheared_ray(asked);
-    const ShearedLanes lanes(sheared);
-    NearestInLeaf best = {asked.far, ray.triangle, 0, 0, 0};
-    LatticeCell cell;
-    for (int k = 0; k < 3; ++k) cell.at[k] = within(r.origin[k] + enter * r.direction[k], 0.0f, tree.frame.side());
-    accel::OctreeEntry from = tree.root;
-    std::uint32_t level = 0;
-    NoOctreeEvents events;
+HWY_INLINE bool ray_walk_near(const accel::OctreeView& tree, const ObjectRay& ray, float moved, ObjectRay* answer) {
+    const D4 d4;
+    const DI4 di4;
+    const Ring ring;
+    const accel::LatticeBox& box = tree.box;
+    const V4 zero = hn::Zero(d4), side = hn::Set(d4, tree.frame.side());
+    const V4 cells_a_unit = hn::Load(d4, box.cells_a_unit);
+    V4 origin = hn::Mul(hn::Sub(hn::LoadU(d4, &ray.origin_x), hn::Load(d4, box.origin)), cells_a_unit);
+    V4 direction = hn::Mul(hn::LoadU(d4, &ray.direction_x), cells_a_unit);
+    const auto is_mirrored = hn::Lt(direction, zero);
+    V4 low = hn::Load(d4, box.from), high = hn::Load(d4, box.to);
+    origin = hn::IfThenElse(is_mirrored, hn::Sub(side, origin), origin);
+    const V4 mirrored_low = hn::Sub(side, high), mirrored_high = hn::Sub(side, low);
+    low = hn::IfThenElse(is_mirrored, mirrored_low, low);
+    high = hn::IfThenElse(is_mirrored, mirrored_high, high);
+    direction = hn::Abs(direction);
+    const V4 largest = ring.largest(direction);
+    const float length = hn::GetLane(largest);
+    if (HWY_UNLIKELY(!(length * extreme_direction >= 1.0f && length <= extreme_direction))) {
+        ObjectRay asked = ray;
+        NoOctreeEvents events;
+        if (!octree_walk<any>(tree, asked, events)) return false;
+        if (any) return true;
+        *answer = asked;
+        answer->far += moved;
+        return true;
+    }
+    direction = hn::Max(direction, hn::Mul(largest, hn::Set(d4, least_share)));
+    const V4 inverse = hn::Div(hn::Set(d4, 1.0f), direction);
+    const V4 entries = hn::Max(hn::Mul(hn::Sub(low, origin), inverse), hn::Set(d4, ray.near));
+    const V4 exits = hn::Min(hn::Mul(hn::Sub(high, origin), inverse), hn::Set(d4, ray.far));
+    const V4 enter = ring.largest(entries);
+    const float leave = hn::GetLane(ring.least(exits));
+    if (!(hn::GetLane(enter) <= leave)) return false;
+
+    const ShearedLanes sheared(ray);
+    const std::uint32_t depth = tree.frame.depth, octant = ~bits_of_4(is_mirrored) & 7u;
+    const VI4 most = hn::Set(di4, (1 << depth) - 1), infinite = hn::Set(di4, 0x7f800000);
+    const VI4 mirror = hn::IfThenElseZero(hn::RebindMask(di4, is_mirrored), most);
+    const V4 start = hn::Max(hn::Add(origin, hn::Mul(enter, direction)), zero);
+    VI4 cell = whole_part(hn::Min(start, hn::Sub(side, hn::Set(d4, 1.0f))));
+    const accel::JumpEntry* const jumps = tree.jumps;
+    const std::uint32_t top_shift = 3 * (depth - tree.jump_levels);
+    NearestInLeaf best = {ray.far, ray.triangle, 0, 0, 0};
+    float end = leave;
     while (true) {
-        const accel::LinkedLeaf& leaf = tree.leaves[leaf_at(tree, from, level, cell, events)];
-        if (leaf_met<any>(tree.corners, leaf.first, leaf.count, sheared, lanes, asked.near, best) && any) return true;
-        const BoxExit exit = exit_of(leaf, r);
-        if (exit.axis < 0 || !(exit.t < best.t) || exit.t > leave) break;
-        const int face = 2 * exit.axis + (r.inverse[exit.axis] > 0 ? 1 : 0);
-        if (leaf.rope_level[face] == accel::no_neighbour) break;
-        step(leaf, r, exit, cell);
-        from = leaf.rope[face];
-        level = leaf.rope_level[face];
+        const std::uint64_t place = place_of(hn::Xor(cell, mirror));
+        accel::JumpEntry entry = jumps[place >> top_shift];
+        for (std::uint32_t shift = top_shift; !entry.is_leaf();) {
+            shift -= 6;
+            entry = jumps[entry.bits + static_cast<std::uint32_t>(place >> shift & 63u)];
+        }
+        const accel::LinkedLeaf& leaf = tree.leaves[entry.number()];
+        const std::uint32_t width = entry.width();
+        const VI4 extent = hn::PromoteTo(di4, hn::LoadU(hn::FixedTag<std::uint8_t, 4>(), leaf.exits[octant]));
+        const VI4 plane = hn::Add(hn::And(cell, hn::Set(di4, -(1 << width))),
+                                  hn::ShiftLeftSame(extent, static_cast<int>(accel::exit_unit(width))));
+        const VI4 at_border = hn::And(hn::BroadcastSignBit(hn::Sub(most, plane)), infinite);
+        const V4 face = hn::Or(hn::ConvertTo(d4, plane), hn::BitCast(d4, at_border));
+        const V4 t = hn::Mul(hn::Sub(face, origin), inverse);
+        const V4 least = ring.least(t);
+        if (leaf.count != 0 && leaf_met<any>(tree.corners, leaf.first, leaf.count, sheared, ray.near, best)) {
+            if (any) return true;
+            end = best.t < leave ? best.t : leave;
+        }
+        if (!(hn::GetLane(least) < end)) break;
+        const VI4 to = whole_part(hn::Add(origin, hn::Mul(least, direction)));
+        const VI4 inside = hn::Max(cell, hn::Min(to, hn::Sub(plane, hn::Set(di4, 1))));
+        cell = hn::IfThenElse(hn::RebindMask(di4, hn::Le(t, least)), plane, inside);
     }
     if (best.number == ray.triangle) return false;
     accel::LinkedLeaf of = {};
@@ -138,11 +241,30 @@ HWY_INLINE bool ray_walk(const accel::OctreeView& tree, const ObjectRay& ray, Ob
     const LeafTriangle triangle = triangle_in(tree, of, best.place);
     const TriangleAt at = {triangle.a, triangle.b, triangle.c};
     TriangleMeeting meeting = {};
-    meets_triangle(sheared, at, meeting);
+    meets_triangle(sheared_ray(ray), at, meeting);
+    describe_meeting(at, meeting, *answer);
     answer->far = best.t + moved;
     answer->triangle = best.number;
-    describe_meeting(at, meeting, *answer);
     return true;
+}
+
+/// As bring_near, in lanes: whether it would move the ray.
+HWY_INLINE bool is_far(const accel::LatticeBox& box, const ObjectRay& ray) {
+    const D4 d4;
+    const Ring ring;
+    const V4 low = hn::Load(d4, box.low), high = hn::Load(d4, box.high), origin = hn::LoadU(d4, &ray.origin_x);
+    const V4 size = hn::Mul(hn::Sub(high, low), hn::Set(d4, near_enough));
+    const V4 away = ring.largest(hn::Max(hn::Max(hn::Sub(low, origin), hn::Sub(origin, high)), hn::Zero(d4)));
+    return hn::GetLane(away) > hn::GetLane(ring.largest(size));
+}
+
+template <bool any>
+HWY_INLINE bool ray_walk(const accel::OctreeView& tree, const ObjectRay& ray, ObjectRay* answer) {
+    if (tree.leaves == nullptr || !(ray.near <= ray.far)) return false;
+    if (HWY_LIKELY(!is_far(tree.box, ray))) return ray_walk_near<any>(tree, ray, 0.0f, answer);
+    ObjectRay asked = ray;
+    const float moved = bring_near(tree.low, tree.high, asked);
+    return ray_walk_near<any>(tree, asked, moved, answer);
 }
 
 bool octree_nearest(const accel::OctreeView& tree, ObjectRay& ray) { return ray_walk<false>(tree, ray, &ray); }
