@@ -3,14 +3,12 @@
 
 #include "tools/bench_cells.h"
 
-#include <filesystem>
-
 #include "modeler/build.h"
 #include "modeler/check.h"
 #include "modeler/convexify.h"
 #include "modeler/export_scene.h"
 #include "plans/generate.h"
-#include "plans/read.h"
+#include "tools/examples.h"
 
 namespace enfilade::tools {
 
@@ -33,18 +31,17 @@ TracedBuilding office_floor(std::uint32_t rooms) {
     return {grouped(rooms) + " rooms", scene_of(plans::generate({.rooms = rooms}))};
 }
 
-TracedBuilding example_building(const std::string& name, std::uint32_t rooms) {
-    const std::filesystem::path file = std::filesystem::path("plans") / "examples" / (name + ".json");
-    if (!std::filesystem::exists(file)) return office_floor(rooms);
-    return {name, scene_of(plans::read(file))};
+TracedBuilding example_building(Bench& bench, const std::string& name, std::uint32_t rooms) {
+    const ExamplePlan example = example_plan(bench, name, rooms);
+    return {example.name, scene_of(example.plan)};
 }
 
 void bench_cells(Bench& bench) {
     if (!bench.quick()) {
-        bench_rays(bench, example_building("townhouse", 9));
-        bench_rays(bench, example_building("office-46", 46));
+        bench_rays(bench, example_building(bench, "townhouse", 9));
+        bench_rays(bench, example_building(bench, "office-46", 46));
     }
-    const TracedBuilding example = example_building("office-135", 135);
+    const TracedBuilding example = example_building(bench, "office-135", 135);
     bench_rays(bench, example);
     bench_agreement(bench, example);
     if (!bench.quick()) bench_rays(bench, office_floor(1000));

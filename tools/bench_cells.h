@@ -31,8 +31,8 @@ struct TracedBuilding {
 
 /// A generated floor of so many rooms.
 [[nodiscard]] TracedBuilding office_floor(std::uint32_t rooms);
-/// plans/examples/<name>.json where the program runs beside it, else a generated floor of as many rooms.
-[[nodiscard]] TracedBuilding example_building(const std::string& name, std::uint32_t rooms);
+/// The example, or what stands for it (examples.h).
+[[nodiscard]] TracedBuilding example_building(Bench& bench, const std::string& name, std::uint32_t rooms);
 
 /// Whoever takes part in a contest, and how often.
 struct Competitor {

@@ -1,9 +1,8 @@
 // Pictures with Lambert's shading into the same framebuffer: every tracer against Embree's single rays and packets.
 
-#include <filesystem>
-
 #include "render/trace.h"
 #include "tools/bench_cells.h"
+#include "tools/examples.h"
 #include "tools/fill_limit.h"
 #include "tools/view_file.h"
 
@@ -82,10 +81,10 @@ private:
 
 /// The tour that is saved beside an example, as somebody walks it: through doors, most of the way.
 void bench_tour(Bench& bench, const TracedBuilding& building, render::EmbreeWay packets) {
-    const std::filesystem::path file = std::filesystem::path("plans") / "examples" / (building.name + ".views.json");
-    if (!std::filesystem::exists(file)) return;
+    const auto file = example_file(building.name + ".views.json");
+    if (!file) return;
     std::vector<PreparedView> views;
-    for (SavedView& view : read_views(file, building.scene.view()).views) {
+    for (SavedView& view : read_views(*file, building.scene.view()).views) {
         view.camera.width = view.camera.height = side;
         views.push_back({render::make_frame(view.camera), view.cell});
     }

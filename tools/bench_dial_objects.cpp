@@ -18,6 +18,7 @@
 #include "render/trace.h"
 #include "tools/bench_dial.h"
 #include "tools/bench_furnished.h"
+#include "tools/examples.h"
 
 namespace enfilade::tools {
 
@@ -240,7 +241,8 @@ private:
 }  // namespace
 
 void dial_objects(Bench& bench) {
-    ObjectDial dial(bench, "office-46", example_plan("office-46", 46));
+    const ExamplePlan example = example_plan(bench, "office-46", 46);
+    ObjectDial dial(bench, example.name, example.plan);
     dial.detail();
     dial.object_triangles();
     dial.cells();

@@ -9,6 +9,7 @@
 
 #include "plans/generate.h"
 #include "render/executor.h"
+#include "tools/examples.h"
 #include "tools/output_file.h"
 
 namespace enfilade::tools {
@@ -17,11 +18,12 @@ namespace {
 
 /// What the issue asks of the structure inside objects, and of the rooms around them.
 constexpr double most_bytes_a_triangle = 60;
+constexpr double most_octree_bytes_a_triangle = 120;
 constexpr double most_room_megabytes = 5;
 constexpr double least_unique_triangles = 480'000;
 constexpr double most_build_seconds = 10;
 
-void add_sizes(Bench& bench, const TracedFloor& traced, bool has_goals) {
+void add_sizes(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees, bool has_goals) {
     const FurnishedFloor& floor = *traced.floor;
     const auto add = [&](const char* row, double value, const char* unit, std::optional<Goal> goal) {
         bench.add(
@@ -33,6 +35,9 @@ void add_sizes(Bench& bench, const TracedFloor& traced, bool has_goals) {
     add("triangles of all objects", double(floor.instanced_triangles()) / 1e6, "million", {});
     add("structure inside objects", double(traced.accel->bytes()) / unique, "B a triangle",
         value_at_most(most_bytes_a_triangle));
+    add("octrees inside objects", double(octrees.accel->bytes()) / unique, "B a triangle",
+        value_at_most(most_octree_bytes_a_triangle));
+    add("octrees inside objects, build", octrees.accel_seconds, "s", {});
     add("meshes and objects in the scene", double(floor.object_bytes()) / unique, "B a triangle", {});
     add("scene without objects", double(floor.room_bytes()) / 1e6, "MB", value_at_most(most_room_megabytes));
     add("structure inside objects, build", traced.accel_seconds, "s", {});
@@ -66,10 +71,9 @@ void add_build(Bench& bench, const FurnishedFloor& floor, bool has_goal) {
 
 }  // namespace
 
-TracedFloor::TracedFloor(const FurnishedFloor& floor_, bool has_embree) : floor(&floor_) {
+TracedFloor::TracedFloor(const FurnishedFloor& floor_, bool has_embree, render::ObjectAccelKind kind) : floor(&floor_) {
     const std::unique_ptr<accel::Executor> cores = render::make_executor();
-    accel_seconds =
-        seconds_of([&] { accel = render::build_object_accel(scene(), render::ObjectAccelKind::Bvh, *cores); });
+    accel_seconds = seconds_of([&] { accel = render::build_object_accel(scene(), kind, *cores); });
     objects = accel->tracer();
     if (!has_embree) return;
     embree_seconds = seconds_of(
@@ -88,19 +92,23 @@ void bench_furnished(Bench& bench) {
                                      Example{"office-135", 135, true}};
     for (const Example& example : examples) {
         if (bench.quick() && !example.is_large) continue;
-        const plans::Plan plan = example_plan(example.name, example.rooms);
-        const FurnishedFloor floor = furnished_floor(example.name, plan, {});
+        // No example has eight rooms.
+        const ExamplePlan named = example.rooms == 8
+                                      ? ExamplePlan{example.name, plans::generate({.rooms = example.rooms})}
+                                      : example_plan(bench, example.name, example.rooms);
+        const FurnishedFloor floor = furnished_floor(named.name, named.plan, {});
         const TracedFloor traced(floor, true);
-        add_sizes(bench, traced, example.is_large);
+        const TracedFloor octrees(floor, false, render::ObjectAccelKind::Octree);
+        add_sizes(bench, traced, octrees, example.is_large);
         add_build(bench, floor, example.is_large);
         std::optional<FurnishedFloor> cut_floor;
         std::optional<TracedFloor> cut;
         if (!bench.quick()) {
-            cut_floor = furnished_floor(example.name, plan, {.cells = modeler::ObjectCells::Cut});
+            cut_floor = furnished_floor(named.name, named.plan, {.cells = modeler::ObjectCells::Cut});
             cut.emplace(*cut_floor, false);
         }
-        bench_furnished_pictures(bench, traced, cut ? &*cut : nullptr);
-        bench_furnished_streams(bench, traced);
+        bench_furnished_pictures(bench, traced, octrees, cut ? &*cut : nullptr);
+        bench_furnished_streams(bench, traced, octrees);
     }
 }
 

@@ -20,7 +20,8 @@ struct TracedFloor {
     double embree_seconds = 0;
     std::unique_ptr<render::EmbreeInstances> embree;  ///< nullptr where it is not asked for
 
-    TracedFloor(const FurnishedFloor& floor_, bool has_embree);
+    TracedFloor(const FurnishedFloor& floor_, bool has_embree,
+                render::ObjectAccelKind kind = render::ObjectAccelKind::Bvh);
     [[nodiscard]] const accel::SceneView& scene() const { return floor->scene.view(); }
     [[nodiscard]] const std::string& name() const { return floor->name; }
 };
@@ -31,9 +32,11 @@ struct TracedFloor {
 /// Pixels of which a channel differs by more than one step.
 [[nodiscard]] std::uint64_t unlike_pixels(const render::Framebuffer& a, const render::Framebuffer& b);
 
-/// Pictures: every tracer against Embree's instances, asked in every way. `cut`: the same objects as volumes.
-void bench_furnished_pictures(Bench& bench, const TracedFloor& traced, const TracedFloor* cut);
+/// Pictures: every tracer against Embree's instances, asked in every way. `octrees`: the same floor with octrees inside
+/// objects; `cut`: the same objects as volumes.
+void bench_furnished_pictures(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees,
+                              const TracedFloor* cut);
 /// Bounces, in the order of an image and shuffled, and shadow rays to lamps.
-void bench_furnished_streams(Bench& bench, const TracedFloor& traced);
+void bench_furnished_streams(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees);
 
 }  // namespace enfilade::tools

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 
 #include "render/trace.h"
 #include "tools/bench_furnished.h"
+#include "tools/examples.h"
 #include "tools/view_file.h"
 
 namespace enfilade::tools {
@@ -118,10 +118,10 @@ void bench_flattened(Bench& bench, const TracedFloor& traced, FurnishedPictures&
 
 /// The tour that is saved beside an example, as somebody walks it.
 void bench_tour(Bench& bench, const TracedFloor& traced, render::EmbreeWay way) {
-    const std::filesystem::path file = std::filesystem::path("plans") / "examples" / (traced.name() + ".views.json");
-    if (!std::filesystem::exists(file)) return;
+    const auto file = example_file(traced.name() + ".views.json");
+    if (!file) return;
     std::vector<PreparedView> views;
-    for (SavedView& view : read_views(file, traced.scene()).views) {
+    for (SavedView& view : read_views(*file, traced.scene()).views) {
         view.camera.width = view.camera.height = side;
         views.push_back({render::make_frame(view.camera), view.cell});
     }
@@ -130,6 +130,24 @@ void bench_tour(Bench& bench, const TracedFloor& traced, render::EmbreeWay way) 
     const RayContest contest = pictures.contest(
         bench.quick() ? 1 : 3, {pictures.ours(render::Tracer::Packet), pictures.embree(*traced.embree, way)});
     bench.add(on(traced, contest.row("packet, tour of " + count + " views", 0, 1)));
+}
+
+/// Octrees inside of objects, against Embree's instances and against Embree inside of objects.
+void bench_octrees(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees, FurnishedPictures& pictures,
+                   render::EmbreeWay way) {
+    const RayContest contest = pictures.contest(
+        bench.quick() ? 3 : 7, {pictures.ours(render::Tracer::Packet, octrees, "packet through octrees"),
+                                pictures.embree(*traced.embree, way), pictures.ours(render::Tracer::Packet)});
+    BenchRow row = on(traced, contest.row("packet through octrees, primary rays and Lambert", 0, 1));
+    row.goal = ratio_at_least(2);
+    bench.add(std::move(row));
+    bench.add(on(traced, contest.row("packet through octrees, against trees of boxes", 0, 2)));
+    render::Framebuffer boxes(side, side), through(side, side);
+    pictures.draw_first(render::Tracer::Packet, traced, boxes);
+    pictures.draw_first(render::Tracer::Packet, octrees, through);
+    bench.add(on(traced, {.row = "octrees inside objects: pixels unlike those of trees of boxes",
+                          .value = 1e6 * double(unlike_pixels(boxes, through)) / (double(side) * side),
+                          .unit = "per million"}));
 }
 
 /// Objects as volumes against lists of objects.
@@ -166,7 +184,8 @@ std::uint64_t unlike_pixels(const render::Framebuffer& a, const render::Framebuf
     return unlike;
 }
 
-void bench_furnished_pictures(Bench& bench, const TracedFloor& traced, const TracedFloor* cut) {
+void bench_furnished_pictures(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees,
+                              const TracedFloor* cut) {
     FurnishedPictures pictures(traced, prepared(traced.scene(), floor_views(traced.scene(), view_count, side)));
     bench.add(
         on(traced,
@@ -183,6 +202,7 @@ void bench_furnished_pictures(Bench& bench, const TracedFloor& traced, const Tra
     BenchRow packet = on(traced, contest.row("packet, primary rays and Lambert", 1, 2));
     packet.goal = ratio_at_least(3.5);
     bench.add(std::move(packet));
+    bench_octrees(bench, traced, octrees, pictures, way);
     bench_flattened(bench, traced, pictures, way);
     bench_tour(bench, traced, way);
     if (cut != nullptr) bench_cut(bench, traced, *cut, pictures);

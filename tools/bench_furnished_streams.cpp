@@ -30,9 +30,9 @@ double others_per_million(const Answers& a, const Answers& b) {
     return 1e6 * double(others) / double(a.distance.size());
 }
 
-void bench_bounces_of(Bench& bench, const TracedFloor& traced, const OwnedRays& rays, render::StreamOrder order,
-                      const std::string& what) {
-    Answers ours(rays.size()), others(rays.size());
+void bench_bounces_of(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees, const OwnedRays& rays,
+                      render::StreamOrder order, const std::string& what) {
+    Answers ours(rays.size()), through(rays.size()), others(rays.size());
     const accel::SerialExecutor one;
     const render::RayColumns sample = first_of(rays.view(), 50'000);
     const render::EmbreeWay way = fastest_way(render::embree_ways, 1, [&](render::EmbreeWay asked) {
@@ -44,11 +44,15 @@ void bench_bounces_of(Bench& bench, const TracedFloor& traced, const OwnedRays& 
                                    render::nearest(traced.scene(), rays.view(), ours.columns(),
                                                    {.tracer = tracer, .order = order, .objects = &traced.objects});
                                }});
+    competitors.push_back({"simd through octrees", [&] {
+                               render::nearest(traced.scene(), rays.view(), through.columns(),
+                                               {.order = order, .objects = &octrees.objects});
+                           }});
     competitors.push_back({"Embree instanced, " + text(way),
                            [&] { traced.embree->nearest(rays.view(), others.columns(), way, one, skin); }});
     const RayContest contest(3, double(rays.size()), std::move(competitors), Clock::Thread);
-    for (std::size_t k = 0; k < 2; ++k) {
-        BenchRow row = contest.row(contest.name(k) + ", " + what, k, 2);
+    for (std::size_t k = 0; k < 3; ++k) {
+        BenchRow row = contest.row(contest.name(k) + ", " + what, k, 3);
         row.scene = traced.name();
         bench.add(std::move(row));
     }
@@ -95,13 +99,13 @@ void bench_shadows_of(Bench& bench, const TracedFloor& traced, const SurfacePoin
 
 }  // namespace
 
-void bench_furnished_streams(Bench& bench, const TracedFloor& traced) {
+void bench_furnished_streams(Bench& bench, const TracedFloor& traced, const TracedFloor& octrees) {
     const accel::SceneView& scene = traced.scene();
     const std::vector<PreparedView> views = prepared(scene, floor_views(scene, view_count, side));
     const SurfacePoints seen = seen_points(scene, views, side, bench.quick() ? 128 : 32, &traced.objects);
     const OwnedRays rays = bounces(seen);
-    bench_bounces_of(bench, traced, rays, render::StreamOrder::Coherent, "diffuse bounces in image order");
-    bench_bounces_of(bench, traced, shuffled(rays), render::StreamOrder::Any, "diffuse bounces, shuffled");
+    bench_bounces_of(bench, traced, octrees, rays, render::StreamOrder::Coherent, "diffuse bounces in image order");
+    bench_bounces_of(bench, traced, octrees, shuffled(rays), render::StreamOrder::Any, "diffuse bounces, shuffled");
     bench_shadows_of(bench, traced, seen);
 }
 

@@ -15,6 +15,7 @@
 #include "render/executor.h"
 #include "tools/bench.h"
 #include "tools/bench_cells.h"
+#include "tools/examples.h"
 #include "tools/furnished_floor.h"
 
 namespace enfilade::tools {
@@ -91,7 +92,8 @@ void add_guarantees(Bench& bench, const std::string& scene, const Placed& placed
 }
 
 void bench_example(Bench& bench, const modeler::Catalogue& catalogue) {
-    const modeler::Building building = modeler::convexify(modeler::build(example_plan("office-135", 135)));
+    const ExamplePlan example = example_plan(bench, "office-135", 135);
+    const modeler::Building building = modeler::convexify(modeler::build(example.plan));
     const Cores& all = one_and_all_cores().back();
     Placed placed;
     modeler::Furnished furnished;
@@ -100,7 +102,7 @@ void bench_example(Bench& bench, const modeler::Catalogue& catalogue) {
             furnished = modeler::furnish(building, modeler::own_rules(), catalogue, {.seed = 1}, *cores.executor);
         });
         bench.add({.row = "placing by rule",
-                   .scene = "office-135",
+                   .scene = example.name,
                    .threads = cores.threads,
                    .value = seconds,
                    .unit = "s",
@@ -110,22 +112,22 @@ void bench_example(Bench& bench, const modeler::Catalogue& catalogue) {
     placed.count(furnished);
     placed.count(modeler::verify_furnished(building, furnished.furnishing));
     bench.add({.row = "time an object",
-               .scene = "office-135",
+               .scene = example.name,
                .threads = all.threads,
                .value = 1e6 * placed.seconds / double(std::max<std::uint64_t>(1, placed.placed)),
                .unit = "us"});
-    add_guarantees(bench, "office-135", placed);
+    add_guarantees(bench, example.name, placed);
     const accel::SerialExecutor one;
     const modeler::Furnished again = modeler::furnish(building, modeler::own_rules(), catalogue, {.seed = 1}, one);
     const modeler::Furnished other = modeler::furnish(building, modeler::own_rules(), catalogue, {.seed = 2}, one);
     const auto hash = hash_of(furnished.furnishing);
     bench.add({.row = "the same seed, on one thread and on all: the same objects",
-               .scene = "office-135",
+               .scene = example.name,
                .value = hash == hash_of(again.furnishing) ? 1.0 : 0.0,
                .unit = "yes",
                .goal = value_at_least(1)});
     bench.add({.row = "another seed: other objects",
-               .scene = "office-135",
+               .scene = example.name,
                .value = hash != hash_of(other.furnishing) ? 1.0 : 0.0,
                .unit = "yes",
                .goal = value_at_least(1)});

@@ -74,7 +74,7 @@ public:
     }
 
     void add_rays() {
-        const int side = bench_->quick() ? 64 : 176;
+        const int side = bench_->quick() ? 64 : 144;
         const RayStream coherent(view_rays(side));
         const RayStream apart(apart_rays(coherent.rays, embree_.front()->tracer(), coherent.size()));
         for (const RayCase what : ray_cases) add_case(what, is_coherent(what) ? coherent : apart);
@@ -139,9 +139,14 @@ void bench_octree(Bench& bench) {
         if (bench.quick() && !source.is_quick) continue;
         const std::optional<BenchMesh> mesh = mesh_of(source, bench);
         if (!mesh) continue;
-        Rivals rivals(bench, *mesh);
-        rivals.add_build();
-        rivals.add_rays();
+        {
+            Rivals rivals(bench, *mesh);
+            rivals.add_build();
+            rivals.add_rays();
+        }
+        if (source.is_studied && (!bench.quick() || source.kind == MeshKind::Thin)) bench_octree_study(bench, *mesh);
+        if (source.is_papers) bench_octree_paper(bench, *mesh);
+        if (source.has_limit && (!bench.quick() || source.kind == MeshKind::Thin)) bench_octree_limit(bench, *mesh);
     }
 }
 

@@ -61,6 +61,9 @@ struct MeshSource {
     std::filesystem::path file = {};  ///< empty: made here
     std::uint32_t triangles = 0;      ///< about as many are made
     bool is_quick = false;            ///< also part of short runs
+    bool is_studied = false;          ///< under several depths and sizes of leaves
+    bool is_papers = false;           ///< in its tables
+    bool has_limit = false;           ///< what it would cost without waiting for memory
 };
 /// Meshes of other people that lie in `data`/mesh, then ours, which are always there.
 [[nodiscard]] std::vector<MeshSource> mesh_sources();
@@ -153,5 +156,12 @@ struct Verdict {
 [[nodiscard]] Verdict judged(const BenchMesh& mesh, const render::ObjectTracer& octree,
                              const render::ObjectTracer& embree, const RayStream& coherent, const RayStream& apart,
                              std::size_t tests);
+
+/// Depth and leaf size against time, memory and answers: silent rows, and a remark.
+void bench_octree_study(Bench& bench, const BenchMesh& mesh);
+/// Tables 1 and 3 of the paper: silent rows, and a remark.
+void bench_octree_paper(Bench& bench, const BenchMesh& mesh);
+/// What rays do, and what they would cost if memory answered at once: silent rows, and remarks.
+void bench_octree_limit(Bench& bench, const BenchMesh& mesh);
 
 }  // namespace enfilade::tools

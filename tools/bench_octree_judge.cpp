@@ -20,7 +20,8 @@ constexpr double band = 4e-6;
 struct Crossing {
     double along = 0;       ///< parameter
     double inside = -1;     ///< how far within its edges; below 0: outside
-    double blur = 0;        ///< what `inside` and the distance may err by, in lengths: the more the flatter the ray
+    double blur = 0;        ///< what `inside` may err by: the more the flatter the ray
+    double far_blur = 0;    ///< what the distance may err by: more where the triangle is a needle, too
     bool is_there = false;  ///< false: the ray lies in the plane, or as good as
 };
 
@@ -62,6 +63,7 @@ bool MeshJudge::allows(const BenchRay& ray, const MeshAnswer& answer) const {
         double p[3];
         for (int k = 0; k < 3; ++k) p[k] = o[k] + crossing.along * d[k];
         crossing.inside = INFINITY;
+        double longest = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const Corner& from = t[i];
             const Corner& to = t[(i + 1) % 3];
@@ -71,7 +73,9 @@ bool MeshJudge::allows(const BenchRay& ray, const MeshAnswer& answer) const {
                                 n[2] * (g[0] * q[1] - g[1] * q[0]);
             const double length = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
             crossing.inside = std::min(crossing.inside, over / (twice * length));
+            longest = std::max(longest, length);
         }
+        crossing.far_blur = crossing.blur * (1 + longest * longest / (4 * twice));
         return crossing;
     };
     double end = 1e30;
@@ -80,13 +84,13 @@ bool MeshJudge::allows(const BenchRay& ray, const MeshAnswer& answer) const {
         const Crossing own = crossing_of(triangles_[answer.triangle]);
         // A ray in the plane may be said to meet it anywhere between its corners: others must not be nearer.
         if (own.is_there &&
-            (own.inside < -own.blur || std::abs(own.along - double{answer.distance}) * speed > own.blur + band))
+            (own.inside < -own.blur || std::abs(own.along - double{answer.distance}) * speed > own.far_blur + band))
             return false;
         end = double{answer.distance};
     }
     return std::none_of(triangles_.begin(), triangles_.end(), [&](const std::array<Corner, 3>& triangle) {
         const Crossing other = crossing_of(triangle);
-        const double slack = (other.blur + band) / speed;
+        const double slack = (other.far_blur + band) / speed;
         return other.is_there && other.inside > other.blur && other.along > slack && other.along < end - slack;
     });
 }

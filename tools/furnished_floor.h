@@ -52,7 +52,4 @@ struct FloorOptions {
 [[nodiscard]] FurnishedFloor furnished_floor(std::string name, const modeler::Building& rooms,
                                              const FloorOptions& options);
 
-/// The plan plans/examples/<name>.json where the program runs beside it, else a generated floor of as many rooms.
-[[nodiscard]] plans::Plan example_plan(const std::string& name, std::uint32_t rooms);
-
 }  // namespace enfilade::tools
