@@ -45,7 +45,10 @@ private:
     void need(const std::array<std::uint32_t, 3>& place, std::uint32_t level) {
         OctreeEntry* entry = &tree_.root;
         for (std::uint32_t l = 0; l < level; ++l) {
-            if (entry->is_leaf()) *entry = split(entry);
+            if (entry->is_leaf()) {
+                const OctreeEntry inner = split(entry);  // first: it moves what `entry` leads to
+                *entry = inner;
+            }
             const std::uint32_t bit = tree_.frame.depth - 1 - l;
             const std::uint32_t octant =
                 (place[0] >> bit & 1u) | (place[1] >> bit & 1u) << 1 | (place[2] >> bit & 1u) << 2;
