@@ -184,6 +184,7 @@ void bench_dial(Bench& bench) {
     dial_convexify(bench, plan, name, rays);
     dial_tracers(bench, build_scene(plan, {}).scene.view(), name);
     dial_objects(bench);
+    dial_octrees(bench);
 }
 
 }  // namespace enfilade::tools

@@ -15,4 +15,8 @@ void dial_tracers(Bench& bench, const accel::SceneView& scene, const std::string
 /// and pixels unlike those of the finest value (bench_dial_objects.cpp).
 void dial_objects(Bench& bench);
 
+/// Rows for the options of octrees, against the default's on the same rays (bench_dial_octree.cpp): time, memory,
+/// speed, and rays that are answered otherwise.
+void dial_octrees(Bench& bench);
+
 }  // namespace enfilade::tools

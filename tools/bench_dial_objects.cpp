@@ -80,7 +80,8 @@ public:
         const FurnishedFloor floor = furnished_floor(name_, rooms_, {});
         const Drawn finest = drawn(floor, render::ObjectAccelKind::Bvh);
         for (const auto& [kind, setting] : {std::pair{render::ObjectAccelKind::Bvh, "object-accel bvh"},
-                                            std::pair{render::ObjectAccelKind::Plain, "object-accel plain"}}) {
+                                            std::pair{render::ObjectAccelKind::Plain, "object-accel plain"},
+                                            std::pair{render::ObjectAccelKind::Octree, "object-accel octree"}}) {
             const Drawn other = drawn(floor, kind);
             row(std::string(setting) + ": time", other.accel_seconds, "s");
             row(std::string(setting) + ": memory", other.accel_bytes / 1e6, "MB");

@@ -11,7 +11,7 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
-NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope) (\S+): (.+)")
+NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+) (\S+): (.+)")
 PACKET_ROW = re.compile(r"packet (\d+) to (\d+): speed")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
 # What furniture's options cost: their first panel's quantity, its label, and the panel's title.
@@ -21,6 +21,14 @@ FURNITURE = {
     "objects": ("speed", "pictures (Mrays/s)", "how cells know objects"),
     "object-accel": ("speed", "pictures (Mrays/s)", "inside objects"),
     "scope": ("rooms", "rooms furnished", "what is furnished"),
+}
+# Options of octrees, on one mesh: their panels stand below the others.
+OCTREES = {
+    "octree-depth": "levels at most",
+    "octree-leaf": "triangles of leaves that are not split",
+    "octree-balance": "2:1 between neighbours",
+    "octree-layout": "what rays walk",
+    "octree-real": "the paper's walk",
 }
 CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
@@ -94,6 +102,22 @@ def draw_furniture(axes, named_bars):
         draw_bars(memory, named_bars[option]["memory"], "structure (MB)" if has_structure_only else "scene (MB)")
 
 
+def draw_octrees(axes, named_bars):
+    """A column of panels for each option of octrees: speed of both kinds of ray, building, memory; answers in the title."""
+    for (speed, time, memory), option in zip(axes.T, [option for option in OCTREES if option in named_bars]):
+        named = named_bars[option]
+        places = range(len(named["speed"]))
+        for shift, quantity, legend in ((-0.2, "speed", "one, incoherent"), (0.2, "speed, 16 coherent", "16, coherent")):
+            speed.bar([place + shift for place in places], named[quantity].values(), width=0.4, label=legend)
+        speed.set_xticks(places, [name.replace("automatic", "auto") for name in named["speed"]])
+        others = sum(named["other answers"].values())
+        speed.set(title=f"octrees: {OCTREES[option]}", ylabel="rays (Mrays/s)", xlabel=f"other answers: {others:.3g} per million")
+        speed.legend(fontsize=8)
+        speed.grid(True, axis="y", alpha=0.3)
+        draw_bars(time, {name.replace("automatic", "auto"): value for name, value in named["time"].items()}, "structure (ms)", 1000)
+        draw_bars(memory, {name.replace("automatic", "auto"): value for name, value in named["memory"].items()}, "structure (MB)")
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = json.load(file)["rows"]
@@ -102,7 +126,11 @@ def main():
     tracing = {"real", "tracer"} & set(named_bars) or sizes
     furniture = sum(option in named_bars for option in FURNITURE)
     columns = len(options) + bool(ways) + bool(tracing) + furniture
-    figure, axes = pyplot.subplots(3, columns, figsize=(4.6 * columns, 8), layout="constrained", squeeze=False)
+    octrees = sum(option in named_bars for option in OCTREES)
+    columns = max(columns, octrees)
+    lines = 6 if octrees else 3
+    figure, all_axes = pyplot.subplots(lines, columns, figsize=(4.6 * columns, 2.7 * lines), layout="constrained", squeeze=False)
+    axes = all_axes[:3]
     for (error, time, memory), (option, named) in zip(axes.T, options.items()):
         for name, legend in CURVES:
             points = [(x, y) for x, y in named[name] if y > 1e-6]
@@ -125,7 +153,11 @@ def main():
     if tracing:
         draw_tracing(axes[:, len(options) + bool(ways)], named_bars, sizes)
     if furniture:
-        draw_furniture(axes[:, -furniture:], named_bars)
+        draw_furniture(axes[:, len(options) + bool(ways) + bool(tracing):], named_bars)
+    if octrees:
+        draw_octrees(all_axes[3:, :octrees], named_bars)
+    for panel in all_axes.flat:
+        panel.set_visible(panel.has_data())
     figure.savefig(sys.argv[2], metadata={"Date": None})
 
 
