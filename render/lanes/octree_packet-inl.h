@@ -4,7 +4,12 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "render/lanes/octree_packet_leaf-inl.h"
+//
+#include "render/lanes/octree_beam-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
@@ -30,19 +35,40 @@ struct alignas(64) PacketNode {
 };
 
 struct PacketWalk {
+    static constexpr std::uint32_t few_rays = 1;  ///< for so many each triangle costs less than the beam does
+
     const accel::OctreeView& tree;
     const PacketPlanes& planes;
     PacketRays& rays;
+    const PacketBeam& beam;
     std::uint32_t flip;  ///< bit k: rays come down axis k
 
+    /// The triangles of a leaf that the beam meets, for some rays: whichever takes fewer registers of the two ways.
     HWY_INLINE void meet(const accel::LinkedLeaf& leaf, Bits some) {
-        const auto registers = static_cast<int>((leaf.count + lane_count - 1) / lane_count);
-        if (registers * static_cast<int>(hwy::PopCount(some)) < static_cast<int>(leaf.count)) {
-            const LeafColumns columns(tree, leaf, rays);
-            for (Bits left = some; left != 0; left &= left - 1)
-                meet_by_ray(tree, leaf, columns, static_cast<int>(first_bit(left)), rays);
-        } else {
-            meet_by_triangles(tree, leaf, some, rays);
+        constexpr std::uint32_t at_once = 32;
+        const LeafColumns columns(tree, leaf, rays);
+        const auto count = static_cast<std::uint32_t>(hwy::PopCount(some));
+        for (std::uint32_t first = 0; first < leaf.count; first += at_once) {
+            const std::uint32_t here = std::min(leaf.count - first, at_once);
+            Bits which = ~Bits(0) >> (at_once - here);
+            std::uint32_t registers = (here + lane_count - 1) / lane_count;
+            if (beam.is_known() && count > few_rays) {
+                Bits inside = 0;
+                registers = 0;
+                for (std::uint32_t i = 0; i < here; i += lane_count) {
+                    const Bits bits = beam.may_meet(columns.many(first + i)) & which >> i;
+                    inside |= bits << i;
+                    registers += bits != 0 ? 1 : 0;
+                }
+                which &= inside;
+                if (which == 0) continue;
+            }
+            if (registers * count < static_cast<std::uint32_t>(hwy::PopCount(which))) {
+                for (Bits left = some; left != 0; left &= left - 1)
+                    meet_by_ray(tree, leaf, columns, first, which, static_cast<int>(first_bit(left)), rays);
+            } else {
+                meet_by_triangles(tree, leaf, columns, first, which, some, rays);
+            }
         }
     }
 
@@ -230,7 +256,8 @@ void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, 
         store(shear_z, asked.shear_z);
         store(load<16>(asked.direction[asked.kx]) * shear_z, asked.shear_x);
         store(load<16>(asked.direction[asked.ky]) * shear_z, asked.shear_y);
-        PacketWalk{tree, planes, asked, flip}.run(group, enter, leave);
+        const PacketBeam beam(tree, asked, group);
+        PacketWalk{tree, planes, asked, beam, flip}.run(group, enter, leave);
     }
     Bits hit = 0;
     for (int k = 0; k < 16; k += lane_count)
@@ -248,10 +275,18 @@ void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, 
     write(far, rays.far);
     write(load<16>(asked.b) / sum, rays.u);
     write(load<16>(asked.c) / sum, rays.v);
-    write(load<16>(asked.normal[0]), rays.normal_x);
-    write(load<16>(asked.normal[1]), rays.normal_y);
-    write(load<16>(asked.normal[2]), rays.normal_z);
     write(load<16>(reinterpret_cast<const float*>(asked.triangle)), reinterpret_cast<float*>(rays.triangle));
+    for (Bits left = hit; left != 0; left &= left - 1) {
+        const auto i = first_bit(left);
+        const float* const at = tree.corners + asked.place[i];
+        const std::size_t n = asked.step[i];
+        const float ax = at[0], ay = at[n], az = at[2 * n];
+        const Vec3f normal = cross(Vec3f{at[3 * n] - ax, at[4 * n] - ay, at[5 * n] - az},
+                                   Vec3f{at[6 * n] - ax, at[7 * n] - ay, at[8 * n] - az});
+        rays.normal_x[i] = normal.x;
+        rays.normal_y[i] = normal.y;
+        rays.normal_z[i] = normal.z;
+    }
 }
 
 void octree_nearest16_apart(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {

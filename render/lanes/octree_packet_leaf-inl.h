@@ -12,8 +12,8 @@ struct alignas(64) PacketRays {
     float near[count], far[count];
     float shear_x[count], shear_y[count], shear_z[count];  ///< of those for which kz is right
     std::uint32_t triangle[count];
-    float b[count], c[count], sum[count];  ///< as TriangleMeeting
-    float normal[3][count];
+    float b[count], c[count], sum[count];     ///< as TriangleMeeting
+    std::uint32_t place[count], step[count];  ///< of its corners: of the first number, and from each to the next
     int kx, ky, kz;
 
     PacketRays() {}  // lanes are written where they count
@@ -105,18 +105,15 @@ HWY_INLINE bool is_nearer(const PacketRays& rays, int lane, float t, std::uint32
     return t >= rays.near[lane] && (t < rays.far[lane] || (t == rays.far[lane] && number < rays.triangle[lane]));
 }
 
-HWY_INLINE void take_meeting(PacketRays& rays, int lane, const LeafTriangle& of, const TriangleMeeting& at) {
+HWY_INLINE void take_meeting(PacketRays& rays, int lane, const accel::LinkedLeaf& leaf, std::uint32_t i,
+                             std::uint32_t number, const TriangleMeeting& at) {
     rays.far[lane] = at.t;
-    rays.triangle[lane] = of.number;
+    rays.triangle[lane] = number;
     rays.b[lane] = at.b;
     rays.c[lane] = at.c;
     rays.sum[lane] = at.sum;
-    const Vec3f a = {of.a[0], of.a[1], of.a[2]};
-    const Vec3f normal =
-        cross(Vec3f{of.b[0] - a.x, of.b[1] - a.y, of.b[2] - a.z}, Vec3f{of.c[0] - a.x, of.c[1] - a.y, of.c[2] - a.z});
-    rays.normal[0][lane] = normal.x;
-    rays.normal[1][lane] = normal.y;
-    rays.normal[2][lane] = normal.z;
+    rays.place[lane] = leaf.first + i;
+    rays.step[lane] = leaf.count;
 }
 
 /// One ray, one triangle, as the scalar walk asks: where lanes do not decide.
@@ -135,21 +132,51 @@ HWY_NOINLINE inline void meet_alone(const accel::OctreeView& tree, const accel::
     TriangleMeeting meeting = {};
     if (meets_triangle(ray, {triangle.a, triangle.b, triangle.c}, meeting) &&
         is_nearer(rays, lane, meeting.t, triangle.number))
-        take_meeting(rays, lane, triangle, meeting);
+        take_meeting(rays, lane, leaf, i, triangle.number, meeting);
 }
 
-/// Each triangle against a register of rays, those of `active`.
-HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, Bits active,
+/// Those of a register of rays that meet a triangle, its place and their parameters, if it is nearer than what they
+/// have.
+HWY_INLINE void take_meetings(const PacketShear& r, const PacketEdges& e, hn::Mask<D> met,
+                              const accel::LinkedLeaf& leaf, const LeafColumns& columns, std::uint32_t i, int k,
+                              PacketRays& rays) {
+    const D d;
+    V sum;
+    const V t = parameter_of(r, e, sum), far = hn::Load(d, rays.far + k);
+    const std::uint32_t number = render::bits_of(columns.at[9 * std::size_t{leaf.count} + i]);
+    auto nearer = hn::Lt(t, far);
+    const auto same = hn::And(met, hn::Eq(t, far));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, same))) {
+        const auto before = hn::Gt(hn::Load(DU(), rays.triangle + k), hn::Set(DU(), number));
+        nearer = hn::Or(nearer, hn::And(same, hn::RebindMask(d, before)));
+    }
+    const auto taken = hn::And(hn::And(met, nearer), hn::Ge(t, hn::Load(d, rays.near + k)));
+    if (hn::AllFalse(d, taken)) return;
+    const auto whole = [&](std::uint32_t a, std::uint32_t* at) HWY_ATTR {
+        hn::BlendedStore(hn::BitCast(d, hn::Set(DU(), a)), taken, d, reinterpret_cast<float*>(at) + k);
+    };
+    hn::BlendedStore(t, taken, d, rays.far + k);
+    hn::BlendedStore(e.v, taken, d, rays.b + k);
+    hn::BlendedStore(e.w, taken, d, rays.c + k);
+    hn::BlendedStore(sum, taken, d, rays.sum + k);
+    whole(number, rays.triangle);
+    whole(leaf.first + i, rays.place);
+    whole(leaf.count, rays.step);
+}
+
+/// The triangles of `which`, numbered from `first` in their leaf, each against registers of rays: those of `active`.
+HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf,
+                                  const LeafColumns& columns, std::uint32_t first, Bits which, Bits active,
                                   PacketRays& rays) {
     const D d;
-    const LeafColumns columns(tree, leaf, rays);
     for (int k = 0; k < PacketRays::count; k += lane_count) {
         if ((active >> k & all_bits<lane_count>) == 0) continue;
         const auto asked = mask_of(active, k / lane_count);
         const PacketShear r = {hn::Load(d, rays.origin[rays.kx] + k), hn::Load(d, rays.origin[rays.ky] + k),
                                hn::Load(d, rays.origin[rays.kz] + k), hn::Load(d, rays.shear_x + k),
                                hn::Load(d, rays.shear_y + k),         hn::Load(d, rays.shear_z + k)};
-        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+        for (Bits triangles = which; triangles != 0; triangles &= triangles - 1) {
+            const std::uint32_t i = first + first_bit(triangles);
             PacketEdges e;
             hn::Mask<D> unclear;
             const auto met = hn::And(asked, pass_edges(r, columns.one(i), e, unclear));
@@ -157,47 +184,23 @@ HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const accel::Li
             if (HWY_UNLIKELY(!hn::AllFalse(d, unclear)))
                 for (Bits left = still_unclear(e, unclear); left != 0; left &= left - 1)
                     meet_alone(tree, leaf, i, k + static_cast<int>(first_bit(left)), rays);
-            if (hn::AllFalse(d, met)) continue;
-            V sum;
-            const V t = parameter_of(r, e, sum), far = hn::Load(d, rays.far + k);
-            const std::uint32_t number = render::bits_of(columns.at[9 * std::size_t{leaf.count} + i]);
-            auto nearer = hn::Lt(t, far);
-            const auto same = hn::And(met, hn::Eq(t, far));
-            if (HWY_UNLIKELY(!hn::AllFalse(d, same))) {
-                const auto first = hn::Gt(hn::Load(DU(), rays.triangle + k), hn::Set(DU(), number));
-                nearer = hn::Or(nearer, hn::And(same, hn::RebindMask(d, first)));
-            }
-            const auto taken = hn::And(hn::And(met, nearer), hn::Ge(t, hn::Load(d, rays.near + k)));
-            if (hn::AllFalse(d, taken)) continue;
-            const LeafTriangle triangle = triangle_in(tree, leaf, i);
-            const Vec3f normal = cross(
-                Vec3f{triangle.b[0] - triangle.a[0], triangle.b[1] - triangle.a[1], triangle.b[2] - triangle.a[2]},
-                Vec3f{triangle.c[0] - triangle.a[0], triangle.c[1] - triangle.a[1], triangle.c[2] - triangle.a[2]});
-            hn::BlendedStore(t, taken, d, rays.far + k);
-            hn::BlendedStore(hn::BitCast(d, hn::Set(DU(), number)), taken, d,
-                             reinterpret_cast<float*>(rays.triangle) + k);
-            hn::BlendedStore(e.v, taken, d, rays.b + k);
-            hn::BlendedStore(e.w, taken, d, rays.c + k);
-            hn::BlendedStore(sum, taken, d, rays.sum + k);
-            hn::BlendedStore(hn::Set(d, normal.x), taken, d, rays.normal[0] + k);
-            hn::BlendedStore(hn::Set(d, normal.y), taken, d, rays.normal[1] + k);
-            hn::BlendedStore(hn::Set(d, normal.z), taken, d, rays.normal[2] + k);
+            if (!hn::AllFalse(d, met)) take_meetings(r, e, met, leaf, columns, i, k, rays);
         }
     }
 }
 
-/// A ray against registers of triangles.
+/// A ray against those registers of triangles that hold some of `which`, numbered from `first` in their leaf.
 HWY_INLINE void meet_by_ray(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, const LeafColumns& columns,
-                            int lane, PacketRays& rays) {
+                            std::uint32_t first, Bits which, int lane, PacketRays& rays) {
     const D d;
     const PacketShear r = {hn::Set(d, rays.origin[rays.kx][lane]), hn::Set(d, rays.origin[rays.ky][lane]),
                            hn::Set(d, rays.origin[rays.kz][lane]), hn::Set(d, rays.shear_x[lane]),
                            hn::Set(d, rays.shear_y[lane]),         hn::Set(d, rays.shear_z[lane])};
-    for (std::uint32_t i = 0; i < leaf.count; i += lane_count) {
+    for (std::uint32_t i = first; which != 0; i += lane_count, which = which >> (lane_count - 1) >> 1) {
+        const Bits here = which & all_bits<lane_count>;
+        if (here == 0) continue;
         PacketEdges e;
         hn::Mask<D> unclear;
-        const std::uint32_t left = leaf.count - i;
-        const Bits here = left >= lane_count ? all_bits<lane_count> : (Bits(1) << left) - 1;
         const auto met = pass_edges(r, columns.many(i), e, unclear);
         if (HWY_UNLIKELY((bits_of(unclear) & here) != 0))
             for (Bits some = still_unclear(e, unclear) & here; some != 0; some &= some - 1)
@@ -215,7 +218,7 @@ HWY_INLINE void meet_by_ray(const accel::OctreeView& tree, const accel::LinkedLe
             const auto j = first_bit(some);
             const std::uint32_t number = render::bits_of(columns.at[9 * std::size_t{leaf.count} + i + j]);
             if (is_nearer(rays, lane, ts[j], number))
-                take_meeting(rays, lane, triangle_in(tree, leaf, i + j), {bs[j], cs[j], sums[j], ts[j]});
+                take_meeting(rays, lane, leaf, i + j, number, {bs[j], cs[j], sums[j], ts[j]});
         }
     }
 }
