@@ -59,8 +59,11 @@ OctreeFrame cube_about(const Box& box, std::uint32_t depth) {
 }  // namespace
 
 LatticeTriangles::LatticeTriangles(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor)
-    : frame_(cube_about(box_of(mesh, executor), std::min(options.depth, largest_octree_depth))),
-      corners_(mesh.used.size()) {
+    : LatticeTriangles(mesh, cube_about(box_of(mesh, executor), std::min(options.depth, largest_octree_depth)),
+                       executor) {}
+
+LatticeTriangles::LatticeTriangles(const MeshPart& mesh, const OctreeFrame& frame, const Executor& executor)
+    : frame_(frame), corners_(mesh.used.size()) {
     parallel_for(executor, corners_.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             for (std::size_t c = 0; c < 3; ++c) {

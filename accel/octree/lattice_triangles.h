@@ -26,6 +26,8 @@ class LatticeTriangles {
 public:
     /// \pre `mesh.used` is not empty
     LatticeTriangles(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor);
+    /// In the lattice of a tree that stands.
+    LatticeTriangles(const MeshPart& mesh, const OctreeFrame& frame, const Executor& executor);
 
     [[nodiscard]] const OctreeFrame& frame() const { return frame_; }
     [[nodiscard]] std::size_t size() const { return corners_.size(); }

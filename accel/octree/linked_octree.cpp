@@ -42,6 +42,7 @@ LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Execu
     leaves_.resize(tree.leaves.size());
     corners_.assign(tree.references.size() * fields + padding, 0.0f);
     jumps_ = build_jump_table(tree);
+    bricks_ = build_bricks(tree, mesh, fields, executor);
     const FullCells cells(tree, executor);
     parallel_for(executor, tree.leaves.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -82,9 +83,13 @@ OctreeView LinkedOctree::view() const {
                        occupied_.data(),
                        jumps_.entries.data(),
                        jumps_.levels,
-                       {}};
+                       {},
+                       bricks_.masks.data(),
+                       bricks_.first.data(),
+                       bricks_.entries.data()};
     const float slack = static_cast<float>(octree_slack) * frame_.side();
     for (std::size_t k = 0; k < 3; ++k) {
+        view.box.size = std::max(view.box.size, high_[k] - low_[k]);
         view.box.origin[k] = frame_.low[k];
         view.box.cells_a_unit[k] = frame_.cells_a_unit[k];
         view.box.low[k] = low_[k];
@@ -92,6 +97,7 @@ OctreeView LinkedOctree::view() const {
         view.box.from[k] = (low_[k] - frame_.low[k]) * frame_.cells_a_unit[k] - slack;
         view.box.to[k] = (high_[k] - frame_.low[k]) * frame_.cells_a_unit[k] + slack;
     }
+    view.box.side = frame_.side();
     return view;
 }
 

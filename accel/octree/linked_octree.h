@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/octree/bricks.h"
 #include "accel/octree/jump_table.h"
 #include "accel/octree/octree.h"
 
@@ -28,6 +29,8 @@ struct alignas(16) LatticeBox {
     float origin[4], cells_a_unit[4];  ///< of the lattice, as in OctreeFrame
     float low[4], high[4];             ///< of the triangles, in the mesh's own space
     float from[4], to[4];              ///< the same in the lattice, wider by octree_slack
+    float size;                        ///< the longest edge of the triangles' box
+    float side;                        ///< of the lattice
 };
 
 /// Plain pointers, safe to copy to a device.
@@ -44,6 +47,9 @@ struct OctreeView {
     const JumpEntry* jumps;        ///< JumpTable::entries
     std::uint32_t jump_levels;     ///< JumpTable::levels
     LatticeBox box;
+    const BrickMasks* brick_masks;     ///< Bricks::masks
+    const std::uint32_t* brick_first;  ///< Bricks::first
+    const BrickEntry* brick_entries;   ///< Bricks::entries
 };
 
 /// Owns the arrays of an OctreeView. Moving it keeps its views.
@@ -55,7 +61,8 @@ public:
     [[nodiscard]] OctreeView view() const;
     [[nodiscard]] std::size_t bytes() const {
         return leaves_.size() * sizeof(LinkedLeaf) + children_.size() * sizeof(OctreeEntry) +
-               corners_.size() * sizeof(float) + occupied_.size() + jumps_.entries.size() * sizeof(JumpEntry);
+               corners_.size() * sizeof(float) + occupied_.size() + jumps_.entries.size() * sizeof(JumpEntry) +
+               bricks_.bytes();
     }
 
 private:
@@ -65,6 +72,7 @@ private:
     std::vector<LinkedLeaf> leaves_;
     std::vector<float> corners_;
     JumpTable jumps_;
+    Bricks bricks_;
     std::vector<std::uint8_t> occupied_;
     float low_[3] = {0, 0, 0}, high_[3] = {0, 0, 0};
 };
