@@ -24,8 +24,22 @@ struct PacketPlanes {
     }
 };
 
-/// A node on the way down, for the rays that pass it. Its eighths are counted in the order in which rays pass them: bit
-/// k of the order is set behind the plane that halves axis k.
+/// Where a packet is on its way down.
+struct PacketPlace {
+    accel::OctreeEntry entry;
+    float low[3], half;  ///< of the node's box, in the lattice
+    Bits rays;           ///< those that pass it
+    Floats<16> enter, leave;
+
+    HWY_INLINE void go_down(const accel::OctreeEntry* children, std::uint32_t octant) {
+        entry = children[octant];
+        for (int k = 0; k < 3; ++k) low[k] += (octant >> k & 1u) != 0 ? half : 0.0f;
+        half *= 0.5f;
+    }
+};
+
+/// A node whose eighths are asked one after the other. They are counted in the order in which rays pass them: bit k of
+/// the order is set behind the plane that halves axis k.
 struct alignas(64) PacketNode {
     float enter[16], middle[3][16], leave[16];  ///< parameters of the rays
     const accel::OctreeEntry* children;
@@ -80,36 +94,62 @@ struct PacketWalk {
         return bits;
     }
 
-    HWY_INLINE void open(PacketNode& node, accel::OctreeEntry entry, float x, float y, float z, float half, Bits some,
-                         const Floats<16>& enter, const Floats<16>& leave) {
+    /// Goes down while all rays pass one eighth alone. Returns whether it came to a leaf with triangles (true), or to a
+    /// node that is now open, or to nothing (with no eighths left).
+    HWY_INLINE bool go_down(PacketPlace& at, PacketNode& node) {
         using F = Floats<16>;
-        node.children = tree.children + std::size_t{8} * entry.number();
-        node.low[0] = x;
-        node.low[1] = y;
-        node.low[2] = z;
-        node.half = half;
-        const F mx = planes.at(0, x + half), my = planes.at(1, y + half), mz = planes.at(2, z + half);
-        store(enter, node.enter);
-        store(leave, node.leave);
-        store(mx, node.middle[0]);
-        store(my, node.middle[1]);
-        store(mz, node.middle[2]);
-        const F in1 = largest(enter, mx), in2 = largest(enter, my), in3 = largest(in1, my);
-        const F out6 = least(leave, mx), out5 = least(leave, my), out4 = least(out6, my);
-        const F out3 = least(leave, mz), out2 = least(out6, mz), out1 = least(out5, mz), out0 = least(out4, mz);
-        node.rays_of[0] = some & is_at_most(enter, out0);
-        node.rays_of[1] = some & is_at_most(in1, out1);
-        node.rays_of[2] = some & is_at_most(in2, out2);
-        node.rays_of[3] = some & is_at_most(in3, out3);
-        node.rays_of[4] = some & is_at_most(largest(enter, mz), out4);
-        node.rays_of[5] = some & is_at_most(largest(in1, mz), out5);
-        node.rays_of[6] = some & is_at_most(largest(in2, mz), out6);
-        node.rays_of[7] = some & is_at_most(largest(in3, mz), leave);
+        while (!at.entry.is_leaf()) {
+            const std::size_t number = at.entry.number();
+            const accel::OctreeEntry* const children = tree.children + 8 * number;
+            F middle[3];
+            Bits before[3], behind[3];  // which rays pass the half before the plane, and that behind it
+            std::uint32_t one_side = 0, order = 0;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                middle[k] = planes.at(static_cast<int>(k), at.low[k] + at.half);
+                before[k] = at.rays & is_at_most(at.enter, middle[k]);
+                behind[k] = at.rays & is_at_most(middle[k], at.leave);
+                one_side += before[k] == 0 || behind[k] == 0 ? 1 : 0;
+                order |= (before[k] == 0 ? 1u : 0u) << k;
+            }
+            if (one_side == 3) {
+                const std::uint32_t octant = order ^ flip;
+                node.left = 0;
+                if ((tree.occupied[number] >> octant & 1u) == 0) return false;
+                at.go_down(children, octant);
+                continue;
+            }
+            const Bits xy = is_at_most(middle[0], middle[1]), yx = is_at_most(middle[1], middle[0]);
+            const Bits xz = is_at_most(middle[0], middle[2]), zx = is_at_most(middle[2], middle[0]);
+            const Bits yz = is_at_most(middle[1], middle[2]), zy = is_at_most(middle[2], middle[1]);
+            node.rays_of[0] = before[0] & before[1] & before[2];
+            node.rays_of[1] = behind[0] & before[1] & before[2] & xy & xz;
+            node.rays_of[2] = before[0] & behind[1] & before[2] & yx & yz;
+            node.rays_of[3] = behind[0] & behind[1] & before[2] & xz & yz;
+            node.rays_of[4] = before[0] & before[1] & behind[2] & zx & zy;
+            node.rays_of[5] = behind[0] & before[1] & behind[2] & xy & zy;
+            node.rays_of[6] = before[0] & behind[1] & behind[2] & yx & zx;
+            node.rays_of[7] = behind[0] & behind[1] & behind[2];
+            open(at, children, middle, in_order(tree.occupied[number]), node);
+            return false;
+        }
+        return true;
+    }
+
+    HWY_INLINE void open(const PacketPlace& at, const accel::OctreeEntry* children, const Floats<16>* middle,
+                         Bits occupied, PacketNode& node) {
+        node.children = children;
+        for (int k = 0; k < 3; ++k) {
+            node.low[k] = at.low[k];
+            store(middle[k], node.middle[k]);
+        }
+        node.half = at.half;
+        store(at.enter, node.enter);
+        store(at.leave, node.leave);
         Bits passed = 0;
         for (int i = 0; i < 8; ++i) passed |= (node.rays_of[i] != 0 ? 1u : 0u) << i;
-        node.left = passed & in_order(tree.occupied[entry.number()]);
+        node.left = passed & occupied;
         for (Bits left = node.left; left != 0; left &= left - 1) {
-            const accel::OctreeEntry child = node.children[first_bit(left) ^ flip];
+            const accel::OctreeEntry child = children[first_bit(left) ^ flip];
             const void* const next = child.is_leaf()
                                          ? static_cast<const void*>(tree.leaves + child.number())
                                          : static_cast<const void*>(tree.children + std::size_t{8} * child.number());
@@ -117,41 +157,43 @@ struct PacketWalk {
         }
     }
 
-    void run(Bits some, const Floats<16>& enter, const Floats<16>& leave) {
+    /// The next eighth of a node with some left; false: no ray passes it before what it met.
+    HWY_INLINE bool take_next(PacketNode& node, PacketPlace& at) {
         using F = Floats<16>;
-        if (tree.root.is_leaf()) return meet(tree.leaves[tree.root.number()], some);
+        const std::uint32_t order = first_bit(node.left);
+        node.left &= node.left - 1;
+        const auto plane = [&](int k)
+                               HWY_ATTR { return load<16>((order >> k & 1u) != 0 ? node.middle[k] : node.enter); };
+        const auto plane_behind = [&](int k) HWY_ATTR {
+            return load<16>((order >> k & 1u) != 0 ? node.leave : node.middle[k]);
+        };
+        const F far = load<16>(rays.far);
+        at.enter = largest(largest(plane(0), plane(1)), plane(2));
+        at.rays = node.rays_of[order] & is_at_most(at.enter, far);
+        if (at.rays == 0) return false;
+        at.leave = least(least(plane_behind(0), plane_behind(1)), least(plane_behind(2), far));
+        for (int k = 0; k < 3; ++k) at.low[k] = node.low[k];
+        at.half = node.half;
+        at.go_down(node.children, order ^ flip);
+        return true;
+    }
+
+    void run(Bits some, const Floats<16>& enter, const Floats<16>& leave) {
         PacketNode nodes[accel::largest_octree_depth + 1];
         PacketNode* node = nodes;
-        open(*node, tree.root, 0, 0, 0, 0.5f * tree.frame.side(), some, enter, leave);
+        PacketPlace at = {tree.root, {0, 0, 0}, 0.5f * tree.frame.side(), some, enter, leave};
         while (true) {
-            if (node->left == 0) {
-                if (node == nodes) return;
-                --node;
-                continue;
+            if (go_down(at, *node)) {
+                meet(tree.leaves[at.entry.number()], at.rays);
+                node->left = 0;
             }
-            const std::uint32_t order = first_bit(node->left);
-            node->left &= node->left - 1;
-            const std::uint32_t octant = order ^ flip;
-            const accel::OctreeEntry child = node->children[octant];
-            const auto plane = [&](int k) HWY_ATTR {
-                return load<16>((order >> k & 1u) != 0 ? node->middle[k] : node->enter);
-            };
-            const F in = largest(largest(plane(0), plane(1)), plane(2)), far = load<16>(rays.far);
-            const Bits here = node->rays_of[order] & is_at_most(in, far);
-            if (here == 0) continue;
-            if (child.is_leaf()) {
-                meet(tree.leaves[child.number()], here);
-                continue;
-            }
-            const auto plane_behind = [&](int k) HWY_ATTR {
-                return load<16>((order >> k & 1u) != 0 ? node->leave : node->middle[k]);
-            };
-            const F out = least(least(plane_behind(0), plane_behind(1)), least(plane_behind(2), far));
-            const float half = node->half;
-            const float x = node->low[0] + ((octant & 1u) != 0 ? half : 0.0f);
-            const float y = node->low[1] + ((octant & 2u) != 0 ? half : 0.0f);
-            const float z = node->low[2] + ((octant & 4u) != 0 ? half : 0.0f);
-            open(*++node, child, x, y, z, 0.5f * half, here, in, out);
+            do {
+                while (node->left == 0) {
+                    if (node == nodes) return;
+                    --node;
+                }
+            } while (!take_next(*node, at));
+            ++node;
         }
     }
 };
