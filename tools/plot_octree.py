@@ -55,7 +55,7 @@ def draw_option(panels, quantities, default, option):
         values = [x for x, _ in quantities["structure"]]
         panel.set_xticks(values, [str(value) for value in values])
         panel.grid(True, alpha=0.3)
-    memory.set_ylim(0, None)
+    memory.set_ylim(0, 1.15 * max(default["structure"], *(row["value"] for _, row in quantities["structure"])))
     error.set_xlabel({"depth": "levels at most", "leaf size": "triangles of leaves that are not split"}[option])
 
 
