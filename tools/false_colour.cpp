@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "render/colour_scale.h"
 #include "tools/pixel_font.h"
@@ -53,16 +54,17 @@ void draw_bar(render::Image& image, ScaleRange range, double largest, const std:
 
 }  // namespace
 
-ScaleRange range_of(std::span<const render::PixelNumbers> pictures) {
+ScaleRange range_of(std::span<const render::PixelNumbers> pictures, double share) {
+    std::vector<float> all;
+    for (const render::PixelNumbers& numbers : pictures)
+        std::ranges::copy_if(numbers.of_pixel, std::back_inserter(all), [](float value) { return !std::isnan(value); });
     ScaleRange range;
-    bool is_first = true;
-    for (const render::PixelNumbers& numbers : pictures) {
-        for (const float value : numbers.of_pixel) {
-            if (std::isnan(value)) continue;
-            range.least = is_first ? double{value} : std::min(range.least, double{value});
-            range.most = is_first ? double{value} : std::max(range.most, double{value});
-            is_first = false;
-        }
+    if (!all.empty()) {
+        const auto most =
+            all.begin() + std::max(std::ptrdiff_t(std::ceil(share * double(all.size()))), std::ptrdiff_t(1)) - 1;
+        std::ranges::nth_element(all, most);
+        range.most = double{*most};
+        range.least = double{std::ranges::min(all)};
     }
     if (!(range.most > range.least)) range.most = range.least + 1;
     return range;

@@ -16,9 +16,9 @@ struct ScaleRange {
     double most = 1;  ///< what is above has its colour, and the bar says so
 };
 
-/// Least and largest number of all pictures, NaN left out; 0 to 1 where there is none. One more at the top than at the
-/// bottom where all are the same.
-[[nodiscard]] ScaleRange range_of(std::span<const render::PixelNumbers> pictures);
+/// From the least number of all pictures to the one that this share of them does not exceed, NaN left out; 0 to 1 where
+/// there is none. One more at the top than at the bottom where these are the same.
+[[nodiscard]] ScaleRange range_of(std::span<const render::PixelNumbers> pictures, double share = 1);
 
 /// The pictures of numbers in colours (render::scale_colour), and over its lowest rows a bar with numbers and
 /// `caption` (what pixel_font.h can write). Pictures under 80 x 60 pixels have no bar.

@@ -57,8 +57,10 @@ TEST_F(ObjectAccelFlag, EveryKindGivesThePicture) {
 
 TEST_F(ObjectAccelFlag, ThePictureDoesNotDependOnTheOptionsOfTheOctree) {
     (void)picture("usual.exr", {"--object-accel", "octree"});
-    for (const Words& options : {Words{"--octree-depth", "3"}, Words{"--octree-leaf", "2"}, Words{"--octree-balance"},
-                                 Words{"--octree-depth", "20", "--octree-leaf", "1", "--octree-balance"}}) {
+    for (const Words& options :
+         {Words{"--octree-depth", "3"}, Words{"--octree-leaf", "2"}, Words{"--octree-balance"},
+          Words{"--octree-depth", "20", "--octree-leaf", "1", "--octree-balance"}, Words{"--octree-layout", "ropes"},
+          Words{"--octree-layout", "stored", "--octree-real", "double", "--octree-balance"}}) {
         (void)picture("other.exr", Words{"--object-accel", "octree"} + options);
         EXPECT_EQ(unlike(folder() / "usual.exr", folder() / "other.exr"), 0) << options[0];
     }
@@ -108,6 +110,10 @@ TEST_F(ObjectAccelFlag, WrongFlagsAreRefusedBeforeTheWork) {
         {{"--octree-depth", "5"}, "--object-accel octree"},
         {{"--octree-leaf", "5", "--object-accel", "bvh"}, "--object-accel octree"},
         {{"--octree-balance", "--object-accel", "plain"}, "--object-accel octree"},
+        {{"--octree-layout", "ropes"}, "--object-accel octree"},
+        {{"--octree-layout", "boxes", "--object-accel", "octree"}, "--octree-layout"},
+        {{"--octree-real", "double", "--object-accel", "octree"}, "--octree-layout"},
+        {{"--octree-real", "half", "--octree-layout", "ropes", "--object-accel", "octree"}, "--octree-real"},
         {{"--octree-depth", "0", "--object-accel", "octree"}, "--octree-depth"},
         {{"--octree-depth", "21", "--object-accel", "octree"}, "--octree-depth"},
         {{"--octree-depth", "-1", "--object-accel", "octree"}, "--octree-depth"},

@@ -115,6 +115,12 @@ TEST(FalseColour, RangeSpansThePicturesAndNothingElse) {
     EXPECT_EQ(range.most, 9);
     EXPECT_EQ(tools::range_of(std::vector{numbers(2, 2, 7)}).most, 8);
     EXPECT_EQ(tools::range_of({}).most, 1);
+    PixelNumbers many = numbers(10, 10, 2);
+    many.of_pixel[40] = 50;
+    many.of_pixel[41] = 7;
+    EXPECT_EQ(tools::range_of(std::vector{many}, 0.99).most, 7);
+    EXPECT_EQ(tools::range_of(std::vector{many}, 0.98).most, 3) << "one more than the least";
+    EXPECT_EQ(tools::range_of(std::vector{many}).most, 50);
 }
 
 TEST(FalseColour, MarksAreWholeAndFew) {
