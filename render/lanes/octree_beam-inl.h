@@ -1,6 +1,6 @@
 // The beam that sixteen rays make: four planes with all of them on one side, against a register of triangles. Most
 // triangles of a leaf that neighbours meet are met by none of them.
-// No include guard: octree_packet-inl.h includes it once for every instruction set.
+// No include guard: octree.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

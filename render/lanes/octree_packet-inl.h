@@ -2,15 +2,6 @@
 // pass it; the planes between a node's eighths are all that is computed of boxes.
 // No include guard: octree.cpp includes it once for every instruction set.
 
-#include <hwy/cache_control.h>
-
-#include <algorithm>
-#include <limits>
-
-#include "render/lanes/octree_packet_leaf-inl.h"
-//
-#include "render/lanes/octree_beam-inl.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
@@ -58,7 +49,7 @@ struct PacketWalk {
     std::uint32_t flip;  ///< bit k: rays come down axis k
 
     /// The triangles of a leaf that the beam meets, for some rays: whichever takes fewer registers of the two ways.
-    HWY_INLINE void meet(const accel::LinkedLeaf& leaf, Bits some) {
+    HWY_INLINE void meet(const LeafTriangles& leaf, Bits some) {
         constexpr std::uint32_t at_once = 32;
         const LeafColumns columns(tree, leaf, rays);
         const auto count = static_cast<std::uint32_t>(hwy::PopCount(some));
@@ -184,7 +175,8 @@ struct PacketWalk {
         PacketPlace at = {tree.root, {0, 0, 0}, 0.5f * tree.frame.side(), some, enter, leave};
         while (true) {
             if (go_down(at, *node)) {
-                meet(tree.leaves[at.entry.number()], at.rays);
+                const accel::LinkedLeaf& leaf = tree.leaves[at.entry.number()];
+                meet({leaf.first, leaf.count}, at.rays);
                 node->left = 0;
             }
             do {
@@ -198,65 +190,12 @@ struct PacketWalk {
     }
 };
 
-/// Origins that are far are brought near, one by one: they are few, or none.
-HWY_NOINLINE inline void bring_packet_near(const accel::OctreeView& tree, Bits some, PacketRays& rays, float* moved) {
-    for (Bits left = some; left != 0; left &= left - 1) {
-        const auto i = first_bit(left);
-        ObjectRay ray = {};
-        ray.origin_x = rays.origin[0][i];
-        ray.origin_y = rays.origin[1][i];
-        ray.origin_z = rays.origin[2][i];
-        ray.direction_x = rays.direction[0][i];
-        ray.direction_y = rays.direction[1][i];
-        ray.direction_z = rays.direction[2][i];
-        ray.near = rays.near[i];
-        ray.far = rays.far[i];
-        moved[i] = bring_near(tree.low, tree.high, ray);
-        rays.origin[0][i] = ray.origin_x;
-        rays.origin[1][i] = ray.origin_y;
-        rays.origin[2][i] = ray.origin_z;
-        rays.near[i] = ray.near;
-        rays.far[i] = ray.far;
-    }
-}
-
-/// Those of the rays that start far from the mesh, as bring_near counts it.
-HWY_INLINE Bits far_away(const accel::OctreeView& tree, const PacketRays& rays) {
-    using F = Floats<16>;
-    F away(0);
-    float size = 0;
-    for (int k = 0; k < 3; ++k) {
-        const F o = load<16>(rays.origin[k]);
-        size = larger(size, tree.high[k] - tree.low[k]);
-        away = largest(away, largest(F(tree.low[k]) - o, o - F(tree.high[k])));
-    }
-    return is_less(F(near_enough * size), away);
-}
-
 void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
     using F = Floats<16>;
     if (tree.leaves == nullptr) return;
     PacketRays asked;
-    Bits some = 0;
-    const float* const from[8] = {rays.origin_x,    rays.origin_y,    rays.origin_z, rays.direction_x,
-                                  rays.direction_y, rays.direction_z, rays.near,     rays.far};
-    float* const to[8] = {asked.origin[0],    asked.origin[1],    asked.origin[2], asked.direction[0],
-                          asked.direction[1], asked.direction[2], asked.near,      asked.far};
-    for (int i = 0; i < 8; ++i) store(load<16>(from[i]), to[i]);
-    for (int k = 0; k < 16; k += lane_count) {
-        const auto numbers = hn::LoadU(DU(), rays.triangle + k);
-        hn::Store(numbers, DU(), asked.triangle + k);
-        const auto is_valid = hn::Ne(hn::LoadU(DI(), valid + k), hn::Zero(DI()));
-        some |= bits_of(hn::RebindMask(D(), is_valid)) << k;
-    }
-    alignas(64) float moved[16];
-    const Bits away = some & far_away(tree, asked);
-    if (HWY_UNLIKELY(away != 0)) {
-        store(F(0), moved);
-        bring_packet_near(tree, away, asked, moved);
-    }
+    Bits some = take_rays(tree, valid, rays, asked);
     F enter = load<16>(asked.near), leave = load<16>(asked.far);
-    some &= is_at_most(enter, leave);
     PacketPlanes planes;
     Bits negative[3];
     const float slack = static_cast<float>(accel::octree_slack) * tree.frame.side();
@@ -301,38 +240,7 @@ void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, 
         const PacketBeam beam(tree, asked, group);
         PacketWalk{tree, planes, asked, beam, flip}.run(group, enter, leave);
     }
-    Bits hit = 0;
-    for (int k = 0; k < 16; k += lane_count)
-        hit |=
-            bits_of(hn::RebindMask(D(), hn::Ne(hn::Load(DU(), asked.triangle + k), hn::LoadU(DU(), rays.triangle + k))))
-            << k;
-    hit &= some;
-    if (hit == 0) return;
-    const F sum = load<16>(asked.sum);
-    const F far = load<16>(asked.far) + (away != 0 ? load<16>(moved) : F(0));  // -0 + 0: +0
-    const auto write = [&](const F& lanes, float* at) HWY_ATTR {
-        for (int k = 0; k < 16; k += lane_count)
-            hn::BlendedStore(lanes.v[k / lane_count], mask_of(hit, k / lane_count), D(), at + k);
-    };
-    write(far, rays.far);
-    write(load<16>(asked.b) / sum, rays.u);
-    write(load<16>(asked.c) / sum, rays.v);
-    write(load<16>(reinterpret_cast<const float*>(asked.triangle)), reinterpret_cast<float*>(rays.triangle));
-    for (Bits left = hit; left != 0; left &= left - 1) {
-        const auto i = first_bit(left);
-        const float* const at = tree.corners + asked.place[i];
-        const std::size_t n = asked.step[i];
-        const float ax = at[0], ay = at[n], az = at[2 * n];
-        const Vec3f normal = cross(Vec3f{at[3 * n] - ax, at[4 * n] - ay, at[5 * n] - az},
-                                   Vec3f{at[6 * n] - ax, at[7 * n] - ay, at[8 * n] - az});
-        rays.normal_x[i] = normal.x;
-        rays.normal_y[i] = normal.y;
-        rays.normal_z[i] = normal.z;
-    }
-}
-
-void octree_nearest16_apart(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
-    one_by_one(valid, rays, [&](ObjectRay& ray) { return octree_nearest(tree, ray); });
+    write_hits(tree, some, asked, rays);
 }
 
 }  // namespace HWY_NAMESPACE
