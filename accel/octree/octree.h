@@ -32,8 +32,8 @@ inline constexpr double octree_slack = 0x1p-20;
 
 /// What a walk is expected to spend, in any unit (README.md: nanoseconds of our walks).
 struct OctreeCost {
-    double full_leaf = 24;   ///< a step into a leaf with triangles and out of it
-    double empty_leaf = 16;  ///< the same without any
+    double full_leaf = 28;   ///< a step into a leaf with triangles and out of it
+    double empty_leaf = 20;  ///< the same without any
     double block = 10;       ///< a register of triangles, full or not
     static constexpr std::uint32_t block_size = 16;
 
