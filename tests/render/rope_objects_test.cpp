@@ -2,14 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/executor.h"
 #include "render/object_tracer.h"
 #include "render/octree_counter.h"
+#include "render/rope_walk.h"
 #include "tests/support/object_rays.h"
+#include "tests/support/octree_rays.h"
+#include "tests/support/tried_mesh.h"
 
 namespace enfilade::test {
 namespace {
@@ -130,6 +135,56 @@ TEST_P(RopeObjectsTest, TellsWhatRaysDo) {
     EXPECT_GT(work.leaves, 150u);
     EXPECT_GT(work.triangles, 500u);
     EXPECT_LT(work.triangles, 100u * 800);
+}
+
+/// Fans of thousands about one corner, needles, sheets of one place listed often, a flat mesh, one triangle.
+std::vector<accel::InputMesh> awkward_meshes() {
+    std::vector<std::array<std::array<float, 3>, 3>> fan, needles, sheets, flat;
+    RandomNumbers numbers(17);
+    const auto next = [&] { return static_cast<float>(numbers.next()); };
+    for (int i = 0; i < 3000; ++i) fan.push_back({{{0, 0, 0}, {next(), next(), next()}, {next(), next(), next()}}});
+    for (int i = 0; i < 300; ++i) {
+        const float x = next(), y = next();
+        needles.push_back({{{x, y, -1}, {x + 1e-5f, y, 1}, {x, y + 1e-6f, 1}}});
+    }
+    for (int i = 0; i < 200; ++i) sheets.push_back({{{-1, -1, 0.25f}, {1, -1, 0.25f}, {0, 1, 0.25f}}});
+    for (int i = 0; i < 300; ++i) {
+        const float x = next(), y = next();
+        flat.push_back({{{x, y, 0.5f}, {x + 0.1f, y, 0.5f}, {x, y + 0.1f, 0.5f}}});
+    }
+    return {soup(fan), soup(needles), soup(sheets), soup(flat), soup({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}})};
+}
+
+TEST_P(RopeObjectsTest, AnswersAsBruteForceWhereTrianglesLieAwkwardly) {
+    int hits = 0;
+    std::uint64_t beside = 0;
+    for (const accel::InputMesh& input : awkward_meshes()) {
+        const TriedMesh mesh(input);
+        const accel::Octree tree = accel::build_octree(mesh.part(), options(), accel::SerialExecutor());
+        const accel::RopeOctree ropes(tree, mesh.part(), {options().is_balanced, options().has_stored_boxes},
+                                      accel::SerialExecutor());
+        EXPECT_LT(ropes.bytes().total(), 2000 * mesh.used().size() + 2'000'000);
+        OctreeRays draw(mesh, tree.frame, 5);
+        for (const NamedOctreeRays& named : octree_ray_families) {
+            for (int i = 0; i < 40; ++i) {
+                const ObjectRay asked = draw.take(named.family), expected = mesh.nearest(asked);
+                ObjectRay found = asked;
+                render::NoRopeEvents events;
+                if (options().walks_in_double) render::rope_walk<double, false>(ropes.view(), found, events);
+                else render::rope_walk<float, false>(ropes.view(), found, events);
+                hits += found.triangle != render::no_triangle;
+                if (found.triangle == expected.triangle && found.far == expected.far) continue;
+                // Rays along a triangle's plane: the test takes a place beside it for the meeting.
+                const auto off = [&](const ObjectRay& answer) {
+                    return answer.triangle == render::no_triangle ? 0 : mesh.off_triangle(asked, answer.triangle);
+                };
+                EXPECT_GT(std::max(off(found), off(expected)), 1e-6) << named.name;
+                ++beside;
+            }
+        }
+    }
+    EXPECT_GT(hits, 500);
+    EXPECT_LT(beside, 60u);
 }
 
 }  // namespace
