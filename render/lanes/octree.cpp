@@ -5,8 +5,12 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/lanes/octree.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
+
+#include <algorithm>
+#include <limits>
 
 #include "render/object_rays.h"
 #include "render/octree_kernels.h"
@@ -27,7 +31,15 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/octree_ray-inl.h"
 //
+#include "render/lanes/octree_sixteen-inl.h"
+//
+#include "render/lanes/octree_packet_leaf-inl.h"
+//
+#include "render/lanes/octree_beam-inl.h"
+//
 #include "render/lanes/octree_packet-inl.h"
+//
+#include "render/lanes/octree_apart-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {

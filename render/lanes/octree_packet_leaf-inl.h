@@ -1,23 +1,9 @@
 // The triangles of a leaf and sixteen rays: triangle_test.h in lanes, of rays for a triangle or of triangles for a ray.
-// No include guard: octree_packet-inl.h includes it once for every instruction set.
+// No include guard: octree.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
 namespace HWY_NAMESPACE {
-
-/// Sixteen rays as triangles are asked, and what was found for them so far.
-struct alignas(64) PacketRays {
-    static constexpr int count = ObjectRays::count;
-    float origin[3][count], direction[3][count];  ///< near the mesh
-    float near[count], far[count];
-    float shear_x[count], shear_y[count], shear_z[count];  ///< of those for which kz is right
-    std::uint32_t triangle[count];
-    float b[count], c[count], sum[count];     ///< as TriangleMeeting
-    std::uint32_t place[count], step[count];  ///< of its corners: of the first number, and from each to the next
-    int kx, ky, kz;
-
-    PacketRays() {}  // lanes are written where they count
-};
 
 /// Rays, or one in all lanes, along kx, ky and kz.
 struct PacketShear {
@@ -33,10 +19,6 @@ struct PacketCorners {
 struct PacketEdges {
     V u, v, w, a_along, b_along, c_along;
 };
-
-HWY_INLINE std::uint32_t first_bit(Bits bits) {
-    return static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-}
 
 HWY_INLINE hn::Mask<D> is_negative(V a) { return hn::RebindMask(D(), hn::Lt(hn::BitCast(DI(), a), hn::Zero(DI()))); }
 
@@ -74,11 +56,16 @@ HWY_INLINE V parameter_of(const PacketShear& r, const PacketEdges& e, V& sum) {
     return hn::Div(hn::Mul(r.sz, along), sum);
 }
 
+/// Where a leaf's triangles are.
+struct LeafTriangles {
+    std::uint32_t first, count;
+};
+
 /// Where the columns of a leaf's triangles lie, along kx, ky and kz.
 struct LeafColumns {
     const float* at;
     std::size_t x, y, z, corner;  ///< steps from `at` to the first corner's coordinates, and from corner to corner
-    HWY_INLINE LeafColumns(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, const PacketRays& rays)
+    HWY_INLINE LeafColumns(const accel::OctreeView& tree, const LeafTriangles& leaf, const PacketRays& rays)
         : at(tree.corners + leaf.first) {
         const std::size_t n = leaf.count;
         x = static_cast<std::size_t>(rays.kx) * n;
@@ -105,7 +92,7 @@ HWY_INLINE bool is_nearer(const PacketRays& rays, int lane, float t, std::uint32
     return t >= rays.near[lane] && (t < rays.far[lane] || (t == rays.far[lane] && number < rays.triangle[lane]));
 }
 
-HWY_INLINE void take_meeting(PacketRays& rays, int lane, const accel::LinkedLeaf& leaf, std::uint32_t i,
+HWY_INLINE void take_meeting(PacketRays& rays, int lane, const LeafTriangles& leaf, std::uint32_t i,
                              std::uint32_t number, const TriangleMeeting& at) {
     rays.far[lane] = at.t;
     rays.triangle[lane] = number;
@@ -117,8 +104,8 @@ HWY_INLINE void take_meeting(PacketRays& rays, int lane, const accel::LinkedLeaf
 }
 
 /// One ray, one triangle, as the scalar walk asks: where lanes do not decide.
-HWY_NOINLINE inline void meet_alone(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, std::uint32_t i,
-                                    int lane, PacketRays& rays) {
+HWY_NOINLINE inline void meet_alone(const accel::OctreeView& tree, const LeafTriangles& leaf, std::uint32_t i, int lane,
+                                    PacketRays& rays) {
     const ShearedRay ray = {
         rays.kx,
         rays.ky,
@@ -128,7 +115,10 @@ HWY_NOINLINE inline void meet_alone(const accel::OctreeView& tree, const accel::
         rays.shear_z[lane],
         {rays.origin[0][lane], rays.origin[1][lane], rays.origin[2][lane]},
     };
-    const LeafTriangle triangle = triangle_in(tree, leaf, i);
+    accel::LinkedLeaf at = {};
+    at.first = leaf.first;
+    at.count = leaf.count;
+    const LeafTriangle triangle = triangle_in(tree, at, i);
     TriangleMeeting meeting = {};
     if (meets_triangle(ray, {triangle.a, triangle.b, triangle.c}, meeting) &&
         is_nearer(rays, lane, meeting.t, triangle.number))
@@ -137,9 +127,8 @@ HWY_NOINLINE inline void meet_alone(const accel::OctreeView& tree, const accel::
 
 /// Those of a register of rays that meet a triangle, its place and their parameters, if it is nearer than what they
 /// have.
-HWY_INLINE void take_meetings(const PacketShear& r, const PacketEdges& e, hn::Mask<D> met,
-                              const accel::LinkedLeaf& leaf, const LeafColumns& columns, std::uint32_t i, int k,
-                              PacketRays& rays) {
+HWY_INLINE void take_meetings(const PacketShear& r, const PacketEdges& e, hn::Mask<D> met, const LeafTriangles& leaf,
+                              const LeafColumns& columns, std::uint32_t i, int k, PacketRays& rays) {
     const D d;
     V sum;
     const V t = parameter_of(r, e, sum), far = hn::Load(d, rays.far + k);
@@ -165,9 +154,8 @@ HWY_INLINE void take_meetings(const PacketShear& r, const PacketEdges& e, hn::Ma
 }
 
 /// The triangles of `which`, numbered from `first` in their leaf, each against registers of rays: those of `active`.
-HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf,
-                                  const LeafColumns& columns, std::uint32_t first, Bits which, Bits active,
-                                  PacketRays& rays) {
+HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const LeafTriangles& leaf, const LeafColumns& columns,
+                                  std::uint32_t first, Bits which, Bits active, PacketRays& rays) {
     const D d;
     for (int k = 0; k < PacketRays::count; k += lane_count) {
         if ((active >> k & all_bits<lane_count>) == 0) continue;
@@ -190,7 +178,7 @@ HWY_INLINE void meet_by_triangles(const accel::OctreeView& tree, const accel::Li
 }
 
 /// A ray against those registers of triangles that hold some of `which`, numbered from `first` in their leaf.
-HWY_INLINE void meet_by_ray(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, const LeafColumns& columns,
+HWY_INLINE void meet_by_ray(const accel::OctreeView& tree, const LeafTriangles& leaf, const LeafColumns& columns,
                             std::uint32_t first, Bits which, int lane, PacketRays& rays) {
     const D d;
     const PacketShear r = {hn::Set(d, rays.origin[rays.kx][lane]), hn::Set(d, rays.origin[rays.ky][lane]),
