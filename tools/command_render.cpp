@@ -277,6 +277,9 @@ int run_render(const RenderOptions& options, const Console& console) {
     const auto [width, height] = parse_size(options.size);
     const TracerChoice choice = tracer_choice(options);
     check_mesh_flags(options, choice);
+    if (counts_octrees(options) && options.no_objects)
+        throw InputError("F139", "",
+                         "--show " + options.show + " counts what rays do inside of objects: leave out --no-objects.");
     const ObjectAccelChoice accel =
         object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : "");
     const Pictures made = make_pictures(options, choice, accel, console);

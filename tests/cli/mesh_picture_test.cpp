@@ -234,8 +234,9 @@ TEST_F(MeshPicture, CountsInThePapersLayoutAsWell) {
 TEST_F(MeshPicture, CountsInOctreesAlone) {
     file("box.obj", box_obj());
     for (const Words& more :
-         {Words{"--show", "leaves", "--object-accel", "bvh"}, Words{"--show", "blocks", "--object-accel", "plain"},
-          Words{"--show", "leaves", "--tracer", "packet"}, Words{"--show", "blocks", "--octree-depth", "21"}}) {
+         {Words{"--show", "leaves", "--object-accel", "bvh"}, Words{"--show", "leaves", "--no-objects"},
+          Words{"--show", "blocks", "--object-accel", "plain"}, Words{"--show", "leaves", "--tracer", "packet"},
+          Words{"--show", "blocks", "--octree-depth", "21"}}) {
         const Outcome outcome = render("box.obj", "none.png", more);
         EXPECT_EQ(outcome.exit_code, 2) << more[1];
         EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
