@@ -82,7 +82,8 @@ HWY_INLINE bool leaf_met(const float* HWY_RESTRICT corners, std::uint32_t first,
         EdgeLanes e = {hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)), hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
                        hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax))};
         const V zero = hn::Zero(d);
-        const Bits inside = n - i < lane_count ? (1u << (n - i)) - 1 : all_bits<lane_count>;
+        const std::size_t left = n - i < lane_count ? n - i : lane_count;
+        const Bits inside = all_bits<32> >> (32 - left);
         const auto some_zero = hn::Or(hn::Eq(e.u, zero), hn::Or(hn::Eq(e.v, zero), hn::Eq(e.w, zero)));
         if (const Bits bits = bits_of(some_zero) & inside; HWY_UNLIKELY(bits != 0)) {
             const V across_all[6] = {ax, ay, bx, by, cx, cy};
@@ -132,6 +133,16 @@ struct Ring {
     }
 };
 
+/// One by one: rays were just written so, and a load of all would wait for that.
+HWY_INLINE V4 three(float x, float y, float z) {
+#if HWY_ARCH_X86
+    return V4{_mm_setr_ps(x, y, z, 0.0f)};
+#else
+    alignas(16) const float all[4] = {x, y, z, 0.0f};
+    return hn::Load(D4(), all);
+#endif
+}
+
 /// A bit each lane.
 HWY_INLINE Bits bits_of_4(hn::Mask<D4> mask) {
     std::uint8_t bytes[8] = {};
@@ -169,10 +180,11 @@ HWY_INLINE bool ray_walk_near(const accel::OctreeView& tree, const ObjectRay& ra
     const DI4 di4;
     const Ring ring;
     const accel::LatticeBox& box = tree.box;
-    const V4 zero = hn::Zero(d4), side = hn::Set(d4, tree.frame.side());
+    const V4 zero = hn::Zero(d4), side = hn::Set(d4, box.side);
     const V4 cells_a_unit = hn::Load(d4, box.cells_a_unit);
-    V4 origin = hn::Mul(hn::Sub(hn::LoadU(d4, &ray.origin_x), hn::Load(d4, box.origin)), cells_a_unit);
-    V4 direction = hn::Mul(hn::LoadU(d4, &ray.direction_x), cells_a_unit);
+    V4 origin =
+        hn::Mul(hn::Sub(three(ray.origin_x, ray.origin_y, ray.origin_z), hn::Load(d4, box.origin)), cells_a_unit);
+    V4 direction = hn::Mul(three(ray.direction_x, ray.direction_y, ray.direction_z), cells_a_unit);
     const auto is_mirrored = hn::Lt(direction, zero);
     V4 low = hn::Load(d4, box.from), high = hn::Load(d4, box.to);
     origin = hn::IfThenElse(is_mirrored, hn::Sub(side, origin), origin);
@@ -252,10 +264,10 @@ HWY_INLINE bool ray_walk_near(const accel::OctreeView& tree, const ObjectRay& ra
 HWY_INLINE bool is_far(const accel::LatticeBox& box, const ObjectRay& ray) {
     const D4 d4;
     const Ring ring;
-    const V4 low = hn::Load(d4, box.low), high = hn::Load(d4, box.high), origin = hn::LoadU(d4, &ray.origin_x);
-    const V4 size = hn::Mul(hn::Sub(high, low), hn::Set(d4, near_enough));
+    const V4 low = hn::Load(d4, box.low), high = hn::Load(d4, box.high),
+             origin = three(ray.origin_x, ray.origin_y, ray.origin_z);
     const V4 away = ring.largest(hn::Max(hn::Max(hn::Sub(low, origin), hn::Sub(origin, high)), hn::Zero(d4)));
-    return hn::GetLane(away) > hn::GetLane(ring.largest(size));
+    return hn::GetLane(away) > near_enough * box.size;
 }
 
 template <bool any>
