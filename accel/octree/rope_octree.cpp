@@ -1,9 +1,7 @@
 #include "accel/octree/rope_octree.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <stdexcept>
 
 #include "accel/octree/rope_links.h"
 

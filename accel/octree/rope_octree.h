@@ -11,8 +11,8 @@
 
 namespace enfilade::accel {
 
-/// Faces of boxes by the paper's numbers (figure 4).
-enum class RopeFace : std::uint8_t { LowY = 0, LowX = 1, HighY = 2, HighX = 3, LowZ = 4, HighZ = 5 };
+/// Faces of boxes have the paper's numbers (figure 4): 0 lower y, 1 lower x, 2 upper y, 3 upper x, 4 lower z, 5 upper
+/// z.
 inline constexpr std::uint32_t rope_faces = 6;
 
 /// 0, 1, 2: x, y, z.
