@@ -188,7 +188,7 @@ std::uint32_t deepest_level(const Octree& tree) {
 Octree build_balanced(const LatticeTriangles& triangles, const OctreeOptions& options, const Executor& executor) {
     std::uint32_t deepest = triangles.frame().depth;
     while (true) {
-        Octree tree = Builder(triangles, {options, deepest}, executor).build();
+        Octree tree = Builder(triangles, {options, deepest, triangles.size()}, executor).build();
         const std::uint32_t level = deepest_level(tree);
         if (balance_octree(tree, triangles, SplitRule::budget(triangles.size()))) return tree;
         deepest = level - 1;
@@ -210,9 +210,10 @@ void use_largest_cells(Octree& tree) {
 Octree build_octree(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor) {
     if (mesh.used.empty()) return {};
     const detail::LatticeTriangles triangles(mesh, options, executor);
-    Octree tree = options.is_balanced
-                      ? detail::build_balanced(triangles, options, executor)
-                      : detail::Builder(triangles, {options, triangles.frame().depth}, executor).build();
+    Octree tree =
+        options.is_balanced
+            ? detail::build_balanced(triangles, options, executor)
+            : detail::Builder(triangles, {options, triangles.frame().depth, triangles.size()}, executor).build();
     if (options.depth == OctreeOptions::automatic) detail::use_largest_cells(tree);
     parallel_for(executor, tree.references.size(), std::size_t{1} << 18, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) tree.references[i] = mesh.used[tree.references[i]];

@@ -2,6 +2,8 @@
 // Inside of accel/octree: whether a node is split or stays a leaf.
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "accel/octree/octree.h"
@@ -13,8 +15,12 @@ using OctantCounts = std::array<std::uint32_t, 8>;  ///< triangles that meet eac
 /// Decides by what is in the node alone, so that a tree does not depend on who builds which part of it.
 class SplitRule {
 public:
-    SplitRule(const OctreeOptions& options, std::uint32_t deepest)
-        : cost_(options.cost), leaf_size_(options.leaf_size), deepest_(deepest) {}
+    SplitRule(const OctreeOptions& options, std::uint32_t deepest, std::size_t triangles)
+        : cost_(options.cost), leaf_size_(options.leaf_size), deepest_(deepest), triangles_(triangles) {}
+
+    /// What one more reference for each triangle is taken to cost a line through the root, since what is larger is less
+    /// often in a cache; a leaf takes as much memory as `leaf_references` references.
+    static constexpr double memory_price = 2, leaf_references = 1.6;
 
     /// Leaves and references that the root may have below it.
     [[nodiscard]] static std::uint64_t budget(std::size_t triangles) {
@@ -50,9 +56,16 @@ public:
         return (is_large(count) ? cost_of_leaves(counts) : least_cost(counts)) < cost_of_leaf(count);
     }
 
-    /// Whether it was worth it.
-    [[nodiscard]] bool keeps_split(std::uint32_t count, double cost) const {
-        return !is_by_cost() || cost < cost_of_leaf(count);
+    /// What a part of the tree below a node at `level` takes, as a cost of lines through that node.
+    [[nodiscard]] double price(std::uint32_t level, std::size_t leaves, std::size_t references) const {
+        const double entries = static_cast<double>(references) + leaf_references * static_cast<double>(leaves);
+        return memory_price * std::ldexp(entries, 2 * static_cast<int>(level)) / static_cast<double>(triangles_);
+    }
+
+    /// Whether a split was worth it: what it costs and takes against one leaf.
+    [[nodiscard]] bool keeps_split(std::uint32_t count, std::uint32_t level, double cost, std::size_t leaves,
+                                   std::size_t references) const {
+        return !is_by_cost() || cost + price(level, leaves, references) < cost_of_leaf(count) + price(level, 1, count);
     }
 
     [[nodiscard]] double cost_of_leaf(std::uint32_t count) const { return cost_.of_leaf(count); }
@@ -89,6 +102,7 @@ private:
     OctreeCost cost_;
     std::uint32_t leaf_size_;
     std::uint32_t deepest_;  ///< level of leaves
+    std::size_t triangles_;  ///< of the whole tree
 };
 
 }  // namespace enfilade::accel::detail

@@ -51,7 +51,9 @@ private:
             cost += SplitRule::crossed * built.cost;
         }
         lists_.resize(lists);
-        if (rule_.keeps_split(count, cost)) return {OctreeEntry::inner(static_cast<std::uint32_t>(inner / 8)), cost};
+        if (rule_.keeps_split(count, node.level, cost, tree_.leaves.size() - leaves,
+                              tree_.references.size() - references))
+            return {OctreeEntry::inner(static_cast<std::uint32_t>(inner / 8)), cost};
         tree_.leaves.resize(leaves);
         tree_.references.resize(references);
         tree_.children.resize(inner);
