@@ -24,25 +24,6 @@ bool same_answer(const ObjectRay& a, const ObjectRay& b) {
            same(a.normal_x, b.normal_x) && same(a.normal_y, b.normal_y) && same(a.normal_z, b.normal_z);
 }
 
-ObjectRays together(const std::vector<ObjectRay>& rays, std::size_t first) {
-    ObjectRays all = {};
-    for (std::size_t i = 0; i < 16; ++i) {
-        const ObjectRay& ray = rays[std::min(first + i, rays.size() - 1)];
-        all.origin_x[i] = ray.origin_x;
-        all.origin_y[i] = ray.origin_y;
-        all.origin_z[i] = ray.origin_z;
-        all.near[i] = ray.near;
-        all.direction_x[i] = ray.direction_x;
-        all.direction_y[i] = ray.direction_y;
-        all.direction_z[i] = ray.direction_z;
-        all.far[i] = ray.far;
-        all.mask[i] = ~0u;
-        all.triangle[i] = ray.triangle;
-        all.geometry[i] = all.instance[i] = no_triangle;
-    }
-    return all;
-}
-
 ObjectRay one_of(const ObjectRays& all, const ObjectRay& asked, std::size_t i) {
     ObjectRay ray = asked;
     ray.far = all.far[i];
@@ -90,7 +71,7 @@ private:
     using Ask16 = std::function<void(const std::int32_t*, ObjectRays&)>;
 
     void ask16(std::size_t first, const Ask16& nearest, const std::string& who) {
-        ObjectRays all = together(rays_, first);
+        ObjectRays all = rays_together(rays_, first);
         alignas(64) std::array<std::int32_t, 16> valid{};
         // Every third group has holes.
         for (std::size_t i = 0; i < 16; ++i)
@@ -153,6 +134,25 @@ OctreeWalk rope_walk_of(const std::string& name, const accel::RopeView& tree) {
 }
 
 }  // namespace
+
+ObjectRays rays_together(const std::vector<ObjectRay>& rays, std::size_t first) {
+    ObjectRays all = {};
+    for (std::size_t i = 0; i < 16; ++i) {
+        const ObjectRay& ray = rays[std::min(first + i, rays.size() - 1)];
+        all.origin_x[i] = ray.origin_x;
+        all.origin_y[i] = ray.origin_y;
+        all.origin_z[i] = ray.origin_z;
+        all.near[i] = ray.near;
+        all.direction_x[i] = ray.direction_x;
+        all.direction_y[i] = ray.direction_y;
+        all.direction_z[i] = ray.direction_z;
+        all.far[i] = ray.far;
+        all.mask[i] = ~0u;
+        all.triangle[i] = ray.triangle;
+        all.geometry[i] = all.instance[i] = no_triangle;
+    }
+    return all;
+}
 
 std::vector<OctreeWalk> octree_walks(const TriedOctree& octree) {
     using render::detail::OctreeKernels;

@@ -24,6 +24,9 @@ struct OctreeWalk {
 /// the paper. octree: has to outlive them
 [[nodiscard]] std::vector<OctreeWalk> octree_walks(const TriedOctree& octree);
 
+/// Sixteen of them by columns, the last again and again where fewer are left.
+[[nodiscard]] render::ObjectRays rays_together(const std::vector<render::ObjectRay>& rays, std::size_t first);
+
 /// What so many rays came to.
 struct OctreeTally {
     std::uint64_t rays = 0, hits = 0;
