@@ -31,6 +31,8 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/octree_ray-inl.h"
 //
+#include "render/lanes/octree_bricks-inl.h"
+//
 #include "render/lanes/octree_sixteen-inl.h"
 //
 #include "render/lanes/octree_packet_leaf-inl.h"

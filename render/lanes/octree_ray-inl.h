@@ -1,4 +1,4 @@
-// One ray through an octree, a register of triangles at a time.
+// What walks of one ray share: its shear and its place in registers, and a leaf's triangles a register at a time.
 // No include guard: octree.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();
@@ -113,9 +113,7 @@ HWY_INLINE bool leaf_met(const float* HWY_RESTRICT corners, std::uint32_t first,
 }
 
 using D4 = hn::FixedTag<float, 4>;
-using DI4 = hn::RebindToSigned<D4>;
 using V4 = hn::Vec<D4>;
-using VI4 = hn::Vec<DI4>;
 
 /// x, y, z of four lanes turned in a ring: the least and the largest of three, in each of them.
 struct Ring {
@@ -150,116 +148,6 @@ HWY_INLINE Bits bits_of_4(hn::Mask<D4> mask) {
     return bytes[0];
 }
 
-/// Towards 0; what does not fit is of no use to anybody.
-HWY_INLINE VI4 whole_part(V4 v) {
-#if HWY_ARCH_X86
-    return VI4{_mm_cvttps_epi32(v.raw)};
-#else
-    return hn::ConvertTo(DI4(), v);
-#endif
-}
-
-/// The place of a cell in Morton order.
-HWY_INLINE std::uint64_t place_of(VI4 cell) {
-    alignas(16) std::uint64_t at[2];
-    hn::Store(hn::BitCast(hn::FixedTag<std::uint64_t, 2>(), cell), hn::FixedTag<std::uint64_t, 2>(), at);
-#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
-    constexpr std::uint64_t thirds = 0x1249249249249249u;
-    return _pdep_u64(at[0] & 0xffffffffu, thirds) | _pdep_u64(at[0] >> 32, thirds << 1) |
-           _pdep_u64(at[1] & 0xffffffffu, thirds << 2);
-#else
-    return spread_bits(static_cast<std::uint32_t>(at[0])) | spread_bits(static_cast<std::uint32_t>(at[0] >> 32)) << 1 |
-           spread_bits(static_cast<std::uint32_t>(at[1])) << 2;
-#endif
-}
-
-/// What octree_walk does, number by number. ray: near the mesh; `moved`: by which bring_near moved it.
-template <bool any>
-HWY_INLINE bool ray_walk_near(const accel::OctreeView& tree, const ObjectRay& ray, float moved, ObjectRay* answer) {
-    const D4 d4;
-    const DI4 di4;
-    const Ring ring;
-    const accel::LatticeBox& box = tree.box;
-    const V4 zero = hn::Zero(d4), side = hn::Set(d4, box.side);
-    const V4 cells_a_unit = hn::Load(d4, box.cells_a_unit);
-    V4 origin =
-        hn::Mul(hn::Sub(three(ray.origin_x, ray.origin_y, ray.origin_z), hn::Load(d4, box.origin)), cells_a_unit);
-    V4 direction = hn::Mul(three(ray.direction_x, ray.direction_y, ray.direction_z), cells_a_unit);
-    const auto is_mirrored = hn::Lt(direction, zero);
-    V4 low = hn::Load(d4, box.from), high = hn::Load(d4, box.to);
-    origin = hn::IfThenElse(is_mirrored, hn::Sub(side, origin), origin);
-    const V4 mirrored_low = hn::Sub(side, high), mirrored_high = hn::Sub(side, low);
-    low = hn::IfThenElse(is_mirrored, mirrored_low, low);
-    high = hn::IfThenElse(is_mirrored, mirrored_high, high);
-    direction = hn::Abs(direction);
-    const V4 largest = ring.largest(direction);
-    const float length = hn::GetLane(largest);
-    if (HWY_UNLIKELY(!(length * extreme_direction >= 1.0f && length <= extreme_direction))) {
-        ObjectRay asked = ray;
-        NoOctreeEvents events;
-        if (!octree_walk<any>(tree, asked, events)) return false;
-        if (any) return true;
-        *answer = asked;
-        answer->far += moved;
-        return true;
-    }
-    direction = hn::Max(direction, hn::Mul(largest, hn::Set(d4, least_share)));
-    const V4 inverse = hn::Div(hn::Set(d4, 1.0f), direction);
-    const V4 entries = hn::Max(hn::Mul(hn::Sub(low, origin), inverse), hn::Set(d4, ray.near));
-    const V4 exits = hn::Min(hn::Mul(hn::Sub(high, origin), inverse), hn::Set(d4, ray.far));
-    const V4 enter = ring.largest(entries);
-    const float leave = hn::GetLane(ring.least(exits));
-    if (!(hn::GetLane(enter) <= leave)) return false;
-
-    const ShearedLanes sheared(ray);
-    const std::uint32_t depth = tree.frame.depth, octant = ~bits_of_4(is_mirrored) & 7u;
-    const VI4 most = hn::Set(di4, (1 << depth) - 1), infinite = hn::Set(di4, 0x7f800000);
-    const VI4 mirror = hn::IfThenElseZero(hn::RebindMask(di4, is_mirrored), most);
-    const V4 start = hn::Max(hn::Add(origin, hn::Mul(enter, direction)), zero);
-    VI4 cell = whole_part(hn::Min(start, hn::Sub(side, hn::Set(d4, 1.0f))));
-    const accel::JumpEntry* const jumps = tree.jumps;
-    const std::uint32_t top_shift = 3 * (depth - tree.jump_levels);
-    NearestInLeaf best = {ray.far, ray.triangle, 0, 0, 0};
-    float end = leave;
-    while (true) {
-        const std::uint64_t place = place_of(hn::Xor(cell, mirror));
-        accel::JumpEntry entry = jumps[place >> top_shift];
-        for (std::uint32_t shift = top_shift; !entry.is_leaf();) {
-            shift -= 6;
-            entry = jumps[entry.bits + static_cast<std::uint32_t>(place >> shift & 63u)];
-        }
-        const accel::LinkedLeaf& leaf = tree.leaves[entry.number()];
-        const std::uint32_t width = entry.width();
-        const VI4 extent = hn::PromoteTo(di4, hn::LoadU(hn::FixedTag<std::uint8_t, 4>(), leaf.exits[octant]));
-        const VI4 plane = hn::Add(hn::And(cell, hn::Set(di4, -(1 << width))),
-                                  hn::ShiftLeftSame(extent, static_cast<int>(accel::exit_unit(width))));
-        const VI4 at_border = hn::And(hn::BroadcastSignBit(hn::Sub(most, plane)), infinite);
-        const V4 face = hn::Or(hn::ConvertTo(d4, plane), hn::BitCast(d4, at_border));
-        const V4 t = hn::Mul(hn::Sub(face, origin), inverse);
-        const V4 least = ring.least(t);
-        if (leaf.count != 0 && leaf_met<any>(tree.corners, leaf.first, leaf.count, sheared, ray.near, best)) {
-            if (any) return true;
-            end = best.t < leave ? best.t : leave;
-        }
-        if (!(hn::GetLane(least) < end)) break;
-        const VI4 to = whole_part(hn::Add(origin, hn::Mul(least, direction)));
-        const VI4 inside = hn::Max(cell, hn::Min(to, hn::Sub(plane, hn::Set(di4, 1))));
-        cell = hn::IfThenElse(hn::RebindMask(di4, hn::Le(t, least)), plane, inside);
-    }
-    if (best.number == ray.triangle) return false;
-    accel::LinkedLeaf of = {};
-    of.first = best.first;
-    of.count = best.count;
-    const LeafTriangle triangle = triangle_in(tree, of, best.place);
-    const TriangleAt at = {triangle.a, triangle.b, triangle.c};
-    TriangleMeeting meeting = {};
-    meets_triangle(sheared_ray(ray), at, meeting);
-    describe_meeting(at, meeting, *answer);
-    answer->far = best.t + moved;
-    answer->triangle = best.number;
-    return true;
-}
-
 /// As bring_near, in lanes: whether it would move the ray.
 HWY_INLINE bool is_far(const accel::LatticeBox& box, const ObjectRay& ray) {
     const D4 d4;
@@ -269,19 +157,6 @@ HWY_INLINE bool is_far(const accel::LatticeBox& box, const ObjectRay& ray) {
     const V4 away = ring.largest(hn::Max(hn::Max(hn::Sub(low, origin), hn::Sub(origin, high)), hn::Zero(d4)));
     return hn::GetLane(away) > near_enough * box.size;
 }
-
-template <bool any>
-HWY_INLINE bool ray_walk(const accel::OctreeView& tree, const ObjectRay& ray, ObjectRay* answer) {
-    if (tree.leaves == nullptr || !(ray.near <= ray.far)) return false;
-    if (HWY_LIKELY(!is_far(tree.box, ray))) return ray_walk_near<any>(tree, ray, 0.0f, answer);
-    ObjectRay asked = ray;
-    const float moved = bring_near(tree.low, tree.high, asked);
-    return ray_walk_near<any>(tree, asked, moved, answer);
-}
-
-bool octree_nearest(const accel::OctreeView& tree, ObjectRay& ray) { return ray_walk<false>(tree, ray, &ray); }
-
-bool octree_blocked(const accel::OctreeView& tree, const ObjectRay& ray) { return ray_walk<true>(tree, ray, nullptr); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace enfilade::render
