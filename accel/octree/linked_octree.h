@@ -8,6 +8,7 @@
 
 #include "accel/octree/bricks.h"
 #include "accel/octree/jump_table.h"
+#include "accel/octree/large_pages.h"
 #include "accel/octree/octree.h"
 
 namespace enfilade::accel {
@@ -69,8 +70,8 @@ private:
     OctreeFrame frame_;
     OctreeEntry root_;
     std::vector<OctreeEntry> children_;
-    std::vector<LinkedLeaf> leaves_;
-    std::vector<float> corners_;
+    std::vector<LinkedLeaf, LargePages<LinkedLeaf>> leaves_;
+    std::vector<float, LargePages<float>> corners_;
     JumpTable jumps_;
     Bricks bricks_;
     std::vector<std::uint8_t> occupied_;
