@@ -148,6 +148,7 @@ void bench_octree(Bench& bench) {
         if (source.is_papers) bench_octree_paper(bench, *mesh);
         if (source.has_limit && (!bench.quick() || source.kind == MeshKind::Thin)) bench_octree_limit(bench, *mesh);
     }
+    bench_octree_exits(bench);
 }
 
 }  // namespace enfilade::tools

@@ -33,7 +33,7 @@ public:
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] MeshKind kind() const { return kind_; }
-    [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
+    [[nodiscard]] std::size_t triangle_count() const { return view_.mesh_triangles.size(); }
     /// Its name with its size: "bunny, 69k".
     [[nodiscard]] std::string title() const;
     /// A scene of one mesh and one object, of which nothing else is there: enough for build_object_accel.
@@ -161,6 +161,8 @@ struct Verdict {
 void bench_octree_study(Bench& bench, const BenchMesh& mesh);
 /// Tables 1 and 3 of the paper: silent rows, and a remark.
 void bench_octree_paper(Bench& bench, const BenchMesh& mesh);
+/// Wrong exits by depth and offset, and what walks make of them (exit_study.h): silent rows, and remarks.
+void bench_octree_exits(Bench& bench);
 /// What rays do, and what they would cost if memory answered at once: silent rows, and remarks.
 void bench_octree_limit(Bench& bench, const BenchMesh& mesh);
 

@@ -66,9 +66,9 @@ EmbreeMesh::EmbreeMesh(const accel::SceneView& scene, Quality quality) : state_(
     rtcSetSceneBuildQuality(state_->scene, asked);
     const RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry, asked);
-    // One place more than the mesh has is there: Embree reads 16 bytes at each.
+    // Behind the last place there is more memory: Embree reads 16 bytes at each.
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, scene.mesh_vertices.data(), 0,
-                               sizeof(accel::Vertex), scene.mesh_vertices.size() - 1);
+                               sizeof(accel::Vertex), scene.mesh_vertices.size());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene.mesh_triangles.data(), 0,
                                sizeof(accel::MeshTriangle), scene.mesh_triangles.size());
     state_->seconds = seconds_of([&] {

@@ -167,6 +167,8 @@ private:
     std::vector<std::string> names_;
 };
 
+constexpr std::size_t padding = 8;  ///< elements
+
 }  // namespace
 
 const char* name_of(MeshKind kind) {
@@ -191,13 +193,16 @@ BenchMesh::BenchMesh(std::string name, MeshKind kind, const Places& places, cons
                 high[k] = std::max(high[k], places[corner][k]);
             }
     const double scale = 2 / std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    places_.reserve(places.size() + 1);
+    places_.reserve(places.size() + padding);
     for (const auto& p : places) {
         const auto at = [&](std::size_t k) { return float((p[k] - 0.5 * (low[k] + high[k])) * scale); };
         places_.push_back({at(0), at(1), at(2)});
     }
-    places_.push_back({0, 0, 0});  // Embree reads four floats at the last one
+    triangles_.reserve(triangles.size() + padding);
     for (const auto& corners : triangles) triangles_.push_back({corners, accel::MaterialId{0}});
+    // As the arrays of scenes, which end in 64 bytes more: Embree reads four floats at each vertex.
+    places_.resize(places.size() + padding);
+    triangles_.resize(triangles.size() + padding);
     accel::ObjectMesh mesh{};
     mesh.vertex_count = std::uint32_t(places.size());
     mesh.triangle_count = std::uint32_t(triangles.size());
@@ -210,8 +215,8 @@ BenchMesh::BenchMesh(std::string name, MeshKind kind, const Places& places, cons
     objects_.front().mesh = accel::MeshId{0};
     listed_ = {accel::ObjectId{0}};
     view_.meshes = {meshes_.data(), 1};
-    view_.mesh_vertices = {places_.data(), places_.size()};
-    view_.mesh_triangles = {triangles_.data(), triangles_.size()};
+    view_.mesh_vertices = {places_.data(), places.size()};
+    view_.mesh_triangles = {triangles_.data(), triangles.size()};
     view_.objects = {objects_.data(), 1};
     view_.cell_objects = {listed_.data(), 1};
     for (std::uint32_t t = 0; t < mesh.triangle_count; ++t)

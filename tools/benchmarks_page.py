@@ -199,7 +199,7 @@ def pivoted(rows, heads, split):
         found.setdefault((row["scene"], line), {})[quantity] = row
     columns = list(dict.fromkeys(quantity for line in found.values() for quantity in line))
     units = {quantity: row["unit"] for line in found.values() for quantity, row in line.items()}
-    titles = heads or {quantity: quantity if units[quantity] in quantity.split() else f"{quantity}, {units[quantity]}" for quantity in columns}
+    titles = heads or {quantity: quantity if units[quantity] in quantity.replace(",", "").split() else f"{quantity}, {units[quantity]}" for quantity in columns}
     used = [quantity for quantity in titles if quantity in columns]
     has_line = any(line for _, line in found)
     lines = ["| on | " + ("what | " if has_line else "") + " | ".join(titles[quantity] for quantity in used) + " |",
@@ -226,12 +226,22 @@ def octree_tables(rows):
     texts = []
     if "" in parts:
         texts.append(pivoted(parts[""], OCTREE_COLUMNS, lambda name: ("", "wrong" if name.startswith("wrong") else name)))
+    sums = [row for row in parts.get("exits", []) if row["row"].startswith("exits: ")]
+    if sums:
+        parts["exits"] = [row for row in parts["exits"] if row not in sums]
     if "paper" in parts:
         texts += [OCTREE_NOTES["paper"], pivoted(parts["paper"], {}, lambda name: ("", name.partition(": ")[2]))]
     for part in ("exits", "limit"):
         if part in parts:
-            texts += [OCTREE_NOTES[part],
-                      pivoted(parts[part], {}, lambda name: (name.partition(": ")[0].partition(", ")[2], name.partition(": ")[2]))]
+            texts.append(OCTREE_NOTES[part])
+        # What is asked of a scene alone makes a table of its own: others have other columns.
+        by_kind = {}
+        for row in parts.get(part, []):
+            by_kind.setdefault(row["scene"].partition(",")[0] if part == "exits" else "", []).append(row)
+        texts += [pivoted(kind, {}, lambda name: (name.partition(": ")[0].partition(", ")[2], name.partition(": ")[2]))
+                  for kind in by_kind.values()]
+    if sums:
+        texts.append(table(sums))
     if "study" in parts:
         told = [row for row in parts["study"] if row["row"].partition(": ")[2] in STUDY_COLUMNS]
         left = [row for row in parts["study"] if row not in told]
