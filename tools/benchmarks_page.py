@@ -181,7 +181,7 @@ OCTREE_NOTES = {
              "cube map, 3.6 of octree, 12.2 of triangles, 1.3 of boxes), 285 for the dragon.",
     "exits": "### Wrong exits\n\nBy the signs of single edges, of a million crossings of leaves: *wrong* faces, and *invalid* signs "
              "(the paper's 7), by depth and by the mesh's distance from the origin in its own sizes; and what walks make of them: "
-             "*unrecovered* rays are answered otherwise than by brute force.",
+             "*came back* to a leaf behind; *unrecovered* walks pass over a place of the ray, where a triangle might be missed.",
     "limit": "### The limit\n\nOne ray at a time. *Time* is that of a long stream, whose leaves come from wherever they lie; *in caches* "
              "that of 32 rays asked again and again in random order; *branches known* that of one ray again and again. What lies "
              "between the first two is waiting for memory: the paper's question what a walk costs without. Instructions are counted "
