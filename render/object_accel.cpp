@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "render/mesh_trees.h"
 #include "render/object_rays.h"
 #include "render/object_tracer.h"
 #include "render/octree_objects.h"
@@ -10,8 +11,6 @@
 
 namespace enfilade::render {
 namespace {
-
-constexpr std::uint32_t large_mesh = 1 << 16;  ///< triangles: cores share the work on one
 
 void nearest(const void* state, accel::MeshId mesh, ObjectRay& ray) {
     bvh_walk<false>(static_cast<const BvhView*>(state)[static_cast<std::uint32_t>(mesh)], ray);
@@ -31,14 +30,9 @@ class PlainObjects final : public ObjectAccel {
 public:
     PlainObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::Executor& executor)
         : trees_(scene.meshes.size()) {
-        const auto is_large = [&](std::size_t mesh) { return scene.meshes[mesh].triangle_count >= large_mesh; };
-        executor.run(trees_.size(), [&](std::size_t mesh) {
-            if (used[mesh] && !is_large(mesh))
-                trees_[mesh] = PlainBvh(scene, static_cast<accel::MeshId>(mesh), accel::SerialExecutor());
+        build_for_used(scene, used, executor, [&](std::size_t mesh, const accel::Executor& cores) {
+            trees_[mesh] = PlainBvh(scene, static_cast<accel::MeshId>(mesh), cores);
         });
-        for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
-            if (used[mesh] && is_large(mesh))
-                trees_[mesh] = PlainBvh(scene, static_cast<accel::MeshId>(mesh), executor);
         for (const PlainBvh& tree : trees_) views_.push_back(tree.view());
     }
 

@@ -1,7 +1,7 @@
 #include "render/octree_objects.h"
 
 #include "accel/octree/linked_octree.h"
-#include "render/mesh_soundness.h"
+#include "render/mesh_trees.h"
 #include "render/octree_counter.h"
 #include "render/octree_kernels.h"
 #include "render/octree_walk.h"
@@ -9,8 +9,6 @@
 
 namespace enfilade::render::detail {
 namespace {
-
-constexpr std::uint32_t large_mesh = 1 << 16;  ///< triangles: cores share the work on one
 
 /// What the functions below are given.
 struct State {
@@ -47,12 +45,12 @@ public:
     OctreeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
                   const accel::Executor& executor)
         : trees_(scene.meshes.size()) {
-        const auto is_large = [&](std::size_t mesh) { return scene.meshes[mesh].triangle_count >= large_mesh; };
-        executor.run(trees_.size(), [&](std::size_t mesh) {
-            if (used[mesh] && !is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, accel::SerialExecutor());
+        build_for_used(scene, used, executor, [&](std::size_t m, const accel::Executor& cores) {
+            const accel::ObjectMesh& mesh = scene.meshes[m];
+            const std::vector<std::uint32_t> sound = sound_triangles(scene, mesh);
+            const accel::MeshPart part = mesh_part(scene, mesh, sound);
+            trees_[m] = {accel::build_octree(part, options, cores), part, cores};
         });
-        for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
-            if (used[mesh] && is_large(mesh)) trees_[mesh] = tree_for(scene, mesh, options, executor);
         for (const accel::LinkedOctree& tree : trees_) views_.push_back(tree.view());
         const OctreeKernels* lanes = octree_lane_kernels();
         state_ = {lanes != nullptr ? lanes : &octree_kernels(), views_.data()};
@@ -74,18 +72,6 @@ public:
     [[nodiscard]] accel::OctreeFigures figures() const override { return accel::octree_figures(views_); }
 
 private:
-    static accel::LinkedOctree tree_for(const accel::SceneView& scene, std::size_t m,
-                                        const accel::OctreeOptions& options, const accel::Executor& executor) {
-        const accel::ObjectMesh& mesh = scene.meshes[m];
-        std::vector<std::uint32_t> used;
-        used.reserve(mesh.triangle_count);
-        for (std::uint32_t t = 0; t < mesh.triangle_count; ++t)
-            if (can_be_hit(scene, mesh, t)) used.push_back(t);
-        const accel::MeshPart part = {scene.mesh_vertices.data() + mesh.first_vertex,
-                                      scene.mesh_triangles.data() + mesh.first_triangle, used};
-        return {accel::build_octree(part, options, executor), part, executor};
-    }
-
     std::vector<accel::LinkedOctree> trees_;
     std::vector<accel::OctreeView> views_;
     State state_;

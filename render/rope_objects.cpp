@@ -2,15 +2,13 @@
 
 #include "accel/octree/octree_stats.h"
 #include "accel/octree/rope_octree.h"
-#include "render/mesh_soundness.h"
+#include "render/mesh_trees.h"
 #include "render/object_rays.h"
 #include "render/octree_counter.h"
 #include "render/rope_walk.h"
 
 namespace enfilade::render::detail {
 namespace {
-
-constexpr std::uint32_t large_mesh = 1 << 16;  ///< triangles: cores share the work on one
 
 const accel::RopeView& tree_of(const void* state, accel::MeshId mesh) {
     return static_cast<const accel::RopeView*>(state)[static_cast<std::uint32_t>(mesh)];
@@ -47,12 +45,14 @@ public:
     RopeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
                 const accel::Executor& executor)
         : trees_(scene.meshes.size()), figures_(scene.meshes.size()), walks_in_double_(options.walks_in_double) {
-        const auto is_large = [&](std::size_t mesh) { return scene.meshes[mesh].triangle_count >= large_mesh; };
-        executor.run(trees_.size(), [&](std::size_t mesh) {
-            if (used[mesh] && !is_large(mesh)) build(scene, mesh, options, accel::SerialExecutor());
+        build_for_used(scene, used, executor, [&](std::size_t m, const accel::Executor& cores) {
+            const accel::ObjectMesh& mesh = scene.meshes[m];
+            const std::vector<std::uint32_t> sound = sound_triangles(scene, mesh);
+            const accel::MeshPart part = mesh_part(scene, mesh, sound);
+            const accel::Octree tree = accel::build_octree(part, options, cores);
+            figures_[m].add(accel::octree_stats(tree));
+            trees_[m] = {tree, part, {options.is_balanced, options.has_stored_boxes}, cores};
         });
-        for (std::size_t mesh = 0; mesh < trees_.size(); ++mesh)
-            if (used[mesh] && is_large(mesh)) build(scene, mesh, options, executor);
         for (const accel::RopeOctree& tree : trees_) views_.push_back(tree.view());
     }
 
@@ -81,20 +81,6 @@ private:
     template <class T>
     [[nodiscard]] ObjectTracer tracer_in() const {
         return {views_.data(), &nearest<T>, &nearest16<T>, &nearest16<T>, &blocked<T>};
-    }
-
-    void build(const accel::SceneView& scene, std::size_t m, const accel::OctreeOptions& options,
-               const accel::Executor& executor) {
-        const accel::ObjectMesh& mesh = scene.meshes[m];
-        std::vector<std::uint32_t> used;
-        used.reserve(mesh.triangle_count);
-        for (std::uint32_t t = 0; t < mesh.triangle_count; ++t)
-            if (can_be_hit(scene, mesh, t)) used.push_back(t);
-        const accel::MeshPart part = {scene.mesh_vertices.data() + mesh.first_vertex,
-                                      scene.mesh_triangles.data() + mesh.first_triangle, used};
-        const accel::Octree tree = accel::build_octree(part, options, executor);
-        figures_[m].add(accel::octree_stats(tree));
-        trees_[m] = {tree, part, {options.is_balanced, options.has_stored_boxes}, executor};
     }
 
     std::vector<accel::RopeOctree> trees_;

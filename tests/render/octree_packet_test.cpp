@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "accel/octree/linked_octree.h"
-#include "render/mesh_soundness.h"
+#include "render/mesh_trees.h"
 #include "render/object_rays.h"
 #include "render/octree_kernels.h"
 #include "tests/support/instruction_sets.h"
@@ -29,10 +29,8 @@ public:
         : scene_(test::room_of_meshes({mesh})) {
         const accel::SceneView& view = scene_.view();
         const accel::ObjectMesh& of = view.meshes[0];
-        for (std::uint32_t t = 0; t < of.triangle_count; ++t)
-            if (can_be_hit(view, of, t)) used_.push_back(t);
-        const accel::MeshPart part = {view.mesh_vertices.data() + of.first_vertex,
-                                      view.mesh_triangles.data() + of.first_triangle, used_};
+        used_ = sound_triangles(view, of);
+        const accel::MeshPart part = mesh_part(view, of, used_);
         const accel::SerialExecutor alone;
         tree_ = accel::LinkedOctree(accel::build_octree(part, options, alone), part, alone);
     }
@@ -273,6 +271,26 @@ TEST(OctreePacket, TakesRaysAlongAxesAndInPlanesOfTheLattice) {
             EXPECT_GT(hits, 500);
         });
     }
+}
+
+TEST(OctreePacket, TakesDirectionsOfAnyLength) {
+    const MeshTree tree(test::ball_mesh(12, 1));
+    with_every_set([&] {
+        RandomNumbers numbers(11);
+        int hits = 0;
+        for (int block = 0; block < 200; ++block) {
+            Sixteen rays = neighbours(numbers.point(2), numbers.point(0.5), 0.1);
+            for (std::size_t i = 0; i < 16; ++i) {
+                const float length = std::ldexp(1.0f, static_cast<int>(110 * numbers.next()));
+                rays[i].direction_x *= length;
+                rays[i].direction_y *= length;
+                rays[i].direction_z *= length;
+                rays[i].far = 3e38f;
+            }
+            hits += agree(tree.view(), rays, everyone);
+        }
+        EXPECT_GT(hits, 1000);
+    });
 }
 
 TEST(OctreePacket, TakesMeshesThatAreHardlyOnes) {
