@@ -32,15 +32,20 @@ struct Case {
 
 class FurnishedWalk : public ::testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(Offices, FurnishedWalk,
-                         ::testing::Values(Case{"Plain", {}}, Case{"Embree", {.seed = 2}, ObjectAccelKind::Bvh},
-                                           Case{"Turned", {.seed = 3, .turn = 0.3}},
-                                           Case{"Double", {.seed = 4}, {}, Precision::Double},
-                                           Case{"TinyMeshes", {.seed = 5, .mesh_scale = 1e-3}, ObjectAccelKind::Bvh},
-                                           Case{"HugeMeshes", {.seed = 6, .mesh_scale = 1e3}, ObjectAccelKind::Bvh},
-                                           Case{"Many", {.seed = 7, .objects = 250, .turn = 0.1}},
-                                           Case{"KeepingAngles", {.seed = 8, .stretched = false}}),
-                         [](const auto& tried) { return tried.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Offices, FurnishedWalk,
+    ::testing::Values(Case{"Plain", {}}, Case{"Embree", {.seed = 2}, ObjectAccelKind::Bvh},
+                      Case{"Turned", {.seed = 3, .turn = 0.3}}, Case{"Double", {.seed = 4}, {}, Precision::Double},
+                      Case{"TinyMeshes", {.seed = 5, .mesh_scale = 1e-3}, ObjectAccelKind::Bvh},
+                      Case{"HugeMeshes", {.seed = 6, .mesh_scale = 1e3}, ObjectAccelKind::Bvh},
+                      Case{"Many", {.seed = 7, .objects = 250, .turn = 0.1}},
+                      Case{"KeepingAngles", {.seed = 8, .stretched = false}},
+                      Case{"Octrees", {.seed = 9}, ObjectAccelKind::Octree},
+                      Case{"OctreesDouble", {.seed = 10, .turn = 0.2}, ObjectAccelKind::Octree, Precision::Double},
+                      Case{"OctreesTiny", {.seed = 11, .mesh_scale = 1e-3}, ObjectAccelKind::Octree},
+                      Case{"OctreesHuge", {.seed = 12, .mesh_scale = 1e3}, ObjectAccelKind::Octree},
+                      Case{"OctreesMany", {.seed = 13, .objects = 250}, ObjectAccelKind::Octree}),
+    [](const auto& tried) { return tried.param.name; });
 
 TEST_P(FurnishedWalk, EndsWhereBruteForceSays) {
     const accel::Scene scene = test::furnished_office(GetParam().options);
