@@ -72,20 +72,23 @@ struct BrickOnWay {
     float far;  ///< of the ray, when `cells` was found
 };
 
+/// Three lanes, each by itself; through memory they would be waited for.
+struct OfAxes {
+    float x, y, z;
+    HWY_INLINE explicit OfAxes(V4 v)
+        : x(hn::GetLane(v)), y(hn::GetLane(hn::Shuffle2301(v))), z(hn::GetLane(hn::Shuffle1032(v))) {}
+};
+
 /// Which of a brick's cells the ray crosses before `far`; some that it passes by less than the slack.
 HWY_INLINE std::uint64_t crossed_cells(const BrickRay& r, V4 first, V4 step, float far) {
     using F = Floats<16>;
-    alignas(16) float in[4], out[4], by[4];
-    const D4 d4;
     const V4 before = hn::Sub(first, r.slack), behind = hn::Add(first, r.slack);
-    hn::Store(before, d4, in);
-    hn::Store(behind, d4, out);
-    hn::Store(step, d4, by);
-    const F x = load<16>(level_x), y = load<16>(level_y), one(1.0f), step_x(by[0]), step_y(by[1]), step_z(by[2]);
-    const F enter = largest(largest(fused_lanes(x, step_x, F(in[0])), fused_lanes(y, step_y, F(in[1]))), F(r.enter));
-    const F leave = least(least(fused_lanes(x + one, step_x, F(out[0])), fused_lanes(y + one, step_y, F(out[1]))),
+    const OfAxes in(before), out(behind), by(step);
+    const F x = load<16>(level_x), y = load<16>(level_y), one(1.0f), step_x(by.x), step_y(by.y), step_z(by.z);
+    const F enter = largest(largest(fused_lanes(x, step_x, F(in.x)), fused_lanes(y, step_y, F(in.y))), F(r.enter));
+    const F leave = least(least(fused_lanes(x + one, step_x, F(out.x)), fused_lanes(y + one, step_y, F(out.y))),
                           F(far < r.leave ? far : r.leave));
-    F bottom(in[2]), top = F(out[2]) + step_z;
+    F bottom(in.z), top = F(out.z) + step_z;
     std::uint64_t crossed = 0;
     for (int z = 0; z < 4; ++z) {
         crossed |= std::uint64_t{is_at_most(largest(enter, bottom), least(leave, top))} << (16 * z);
