@@ -7,6 +7,9 @@
 # tools/campaign.sh rays [COUNT [SERIES]]: walks COUNT rays (1000000000) of every family through offices, generated buildings and
 # the homes of ../shared, by every tracer, on all cores, and prints what leaked, what was recovered and what differs from the
 # scalar walk in float. Ends with 1 where a ray leaked, or differs without an edge near.
+# tools/campaign.sh octrees [COUNT [SERIES]]: asks octrees of random meshes and options COUNT rays of thirteen families (10000000), in
+# every layout, by every walk and instruction set, and prints what differed from brute force. Ends with 1 where any did without
+# running along a triangle's plane.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if [ "${1:-}" = rooms ]; then
@@ -33,6 +36,19 @@ if [ "${1:-}" = rays ]; then
     echo "|---|---|---|---|---|---|---|---|---|"
     sed -n 's/^rays | /| /p' "$log"
     [ "$status" -eq 0 ] || grep -vE "^rays \||RUN|OK" "$log" >&2
+    exit "$status"
+fi
+if [ "${1:-}" = octrees ]; then
+    tools/build.sh release octree_properties_test
+    log=$(mktemp)
+    trap 'rm -f "$log"' EXIT
+    status=0
+    ENFILADE_OCTREE_RAYS=${2:-10000000} ENFILADE_OCTREE_SERIES=${3:-0} build/release/tests/render/octree_properties_test \
+        --gtest_filter=AnyOctree.AnswersAsBruteForceInCampaigns >"$log" 2>&1 || status=1
+    echo "| family | rays | hits | other answers along planes | other answers |"
+    echo "|---|---|---|---|---|"
+    sed -n 's/^octrees | /| /p' "$log"
+    [ "$status" -eq 0 ] || grep -vE "^octrees \||RUN|OK" "$log" >&2
     exit "$status"
 fi
 tools/build.sh release campaign_test
