@@ -1,4 +1,5 @@
-// Sixteen rays through an octree that have nothing to do with each other.
+// Sixteen rays through an octree that have nothing to do with each other: one by one. Going on in turn, by stages, hid
+// their waiting and cost as much (README.md, "Octrees").
 // No include guard: octree.cpp includes it once for every instruction set.
 
 HWY_BEFORE_NAMESPACE();

@@ -60,8 +60,18 @@ HWY_INLINE Bits far_away(const accel::OctreeView& tree, const PacketRays& rays) 
     return is_less(F(near_enough * size), away);
 }
 
-/// Takes the rays, each near the mesh. Returns those that are valid and have a part that counts.
-HWY_INLINE Bits take_rays(const accel::OctreeView& tree, const std::int32_t* valid, const ObjectRays& rays,
+/// Those whose directions are too long or too short for walks (octree_walk.h).
+HWY_INLINE Bits extreme_rays(const accel::OctreeView& tree, const PacketRays& rays) {
+    using F = Floats<16>;
+    F longest(0);
+    for (int k = 0; k < 3; ++k)
+        longest = largest(longest, magnitude_of(load<16>(rays.direction[k]) * F(tree.box.cells_a_unit[k])));
+    return ~(is_at_most(F(1 / extreme_direction), longest) & is_at_most(longest, F(extreme_direction)));
+}
+
+/// Takes the rays, each near the mesh. Returns those that are valid and have a part that counts; those that sixteen
+/// cannot take together are answered here.
+HWY_INLINE Bits take_rays(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays,
                           PacketRays& asked) {
     using F = Floats<16>;
     Bits some = 0;
@@ -82,7 +92,14 @@ HWY_INLINE Bits take_rays(const accel::OctreeView& tree, const std::int32_t* val
         store(F(0), asked.moved);
         bring_packet_near(tree, away, asked);
     }
-    return some & is_at_most(load<16>(asked.near), load<16>(asked.far));
+    some &= is_at_most(load<16>(asked.near), load<16>(asked.far));
+    const Bits alone = some & extreme_rays(tree, asked);
+    for (Bits left = alone; HWY_UNLIKELY(left != 0); left &= left - 1) {
+        const auto i = static_cast<int>(first_bit(left));
+        ObjectRay ray = ray_of(rays, i);
+        if (octree_nearest(tree, ray)) write_hit(ray, i, rays);
+    }
+    return some & ~alone;
 }
 
 /// Writes what was found for those of `some` that did not have it before.
