@@ -16,23 +16,25 @@ public:
         is_known_ = (is_less(load<16>(rays.near), F(0)) & group) == 0;
         if (!is_known_) return;
         // Rounding moves neither a corner nor a ray by as much: its unit is 2^-24 of the largest number.
-        float largest_number = 0;
-        for (int k = 0; k < 3; ++k) {
-            const F o = choose(group, load<16>(rays.origin[k]), F(0));
-            largest_number = larger(largest_number, larger(magnitude(tree.low[k]), magnitude(tree.high[k])));
-            largest_number = larger(largest_number, largest_lane(magnitude_of(o)));
-        }
-        const float margin = 0x1p-19f * largest_number;
-        const F o_along = load<16>(rays.origin[rays.kz]);
-        is_up_ = rays.direction[rays.kz][first_bit(group)] > 0;
-        const F endless(std::numeric_limits<float>::max());
+        const float margin = 0x1p-19f * largest_number(tree);
+        const std::uint32_t one = first_bit(group);
+        const F along = load<16>(rays.origin[rays.kz]);
+        is_up_ = rays.direction[rays.kz][one] > 0;
+        const bool is_eye =
+            (same(rays.origin[0], one) & same(rays.origin[1], one) & same(rays.origin[2], one) & group) == group;
+        const auto least_of = [&](const F& a) HWY_ATTR { return least_lane(choose(group, a, F(endless))); };
+        const auto most_of = [&](const F& a) HWY_ATTR { return largest_lane(choose(group, a, F(-endless))); };
         const auto plane = [&](int axis, const float* shear, bool is_most, int i) HWY_ATTR {
-            const F slopes = load<16>(shear), o = load<16>(rays.origin[axis]);
-            slope_[i] =
-                is_most ? largest_lane(choose(group, slopes, -endless)) : least_lane(choose(group, slopes, endless));
-            const F at = o - F(slope_[i]) * o_along;
-            bound_[i] = is_most == is_up_ ? largest_lane(choose(group, at, -endless)) + margin
-                                          : least_lane(choose(group, at, endless)) - margin;
+            const float slope = is_most ? most_of(load<16>(shear)) : least_of(load<16>(shear));
+            const bool is_high = is_most == is_up_;
+            slope_[i] = slope;
+            if (is_eye) {
+                bound_[i] = rays.origin[axis][one] - slope * rays.origin[rays.kz][one];
+            } else {
+                const F at = load<16>(rays.origin[axis]) - F(slope) * along;
+                bound_[i] = is_high ? most_of(at) : least_of(at);
+            }
+            bound_[i] += is_high ? margin : -margin;
         };
         plane(rays.kx, rays.shear_x, true, 0);
         plane(rays.kx, rays.shear_x, false, 1);
@@ -49,6 +51,23 @@ public:
     }
 
 private:
+    static constexpr float endless = std::numeric_limits<float>::max();
+
+    /// Of corners and origins: these are near (near_ray.h).
+    static HWY_INLINE float largest_number(const accel::OctreeView& tree) {
+        float corner = 0, size = 0;
+        for (int k = 0; k < 3; ++k) {
+            corner = larger(corner, larger(magnitude(tree.low[k]), magnitude(tree.high[k])));
+            size = larger(size, tree.high[k] - tree.low[k]);
+        }
+        return corner + near_enough * size;
+    }
+
+    /// The lanes that are as lane `one`.
+    static HWY_INLINE Bits same(const float* lanes, std::uint32_t one) {
+        return is_equal(load<16>(lanes), Floats<16>(lanes[one]));
+    }
+
     [[nodiscard]] HWY_INLINE hn::Mask<D> outside(V a, V b, V c, const PacketCorners& p, int i) const {
         const D d;
         const V most = hn::Set(d, slope_[i]), least = hn::Set(d, slope_[i + 1]);
