@@ -193,6 +193,10 @@ struct PacketWalk {
 void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
     using F = Floats<16>;
     if (tree.leaves == nullptr) return;
+    if (!tree.root.is_leaf()) {
+        hwy::Prefetch(tree.children + std::size_t{8} * tree.root.number());
+        hwy::Prefetch(tree.occupied + tree.root.number());
+    }
     PacketRays asked;
     Bits some = take_rays(tree, valid, rays, asked);
     F enter = load<16>(asked.near), leave = load<16>(asked.far);
