@@ -119,7 +119,7 @@ TEST(CountedInstructions, GrowWithTheWork) {
     const auto loop = [](int count) {
         return counted_instructions([count] {
             volatile int sink = 0;
-            for (int i = 0; i < count; ++i) sink = i;
+            for (int i = 0; i < count; ++i) sink = sink + 1;
         });
     };
     const auto few = loop(100), many = loop(400);
@@ -130,7 +130,7 @@ TEST(CountedInstructions, GrowWithTheWork) {
     EXPECT_FALSE(counted_instructions(
                      [] {
                          volatile int sink = 0;
-                         for (int i = 0; i < 1'000'000; ++i) sink = i;
+                         for (int i = 0; i < 1'000'000; ++i) sink = sink + 1;
                      },
                      1'000)
                      .has_value());
