@@ -190,6 +190,38 @@ struct PacketWalk {
     }
 };
 
+/// Those of one octant, longest along one axis, together. negative: [axis] which go down it
+HWY_INLINE void walk_by_groups(const accel::OctreeView& tree, const PacketPlanes& planes, const Bits* negative,
+                               Bits some, const Floats<16>& enter, const Floats<16>& leave, PacketRays& asked) {
+    using F = Floats<16>;
+    const F dx = magnitude_of(load<16>(asked.direction[0])), dy = magnitude_of(load<16>(asked.direction[1])),
+            dz = magnitude_of(load<16>(asked.direction[2]));
+    const Bits z_longest = is_at_most(dx, dz) & is_at_most(dy, dz);
+    const Bits y_longest = is_at_most(dx, dy) & ~z_longest;
+    for (Bits left = some; left != 0;) {
+        const Bits first = left & (~left + 1);
+        Bits group = left;
+        std::uint32_t flip = 0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const bool is_down = (negative[k] & first) != 0;
+            group &= is_down ? negative[k] : ~negative[k];
+            flip |= (is_down ? 1u : 0u) << k;
+        }
+        group &= (z_longest & first) != 0 ? z_longest : ~z_longest;
+        group &= (y_longest & first) != 0 ? y_longest : ~y_longest;
+        left &= ~group;
+        asked.kz = (z_longest & first) != 0 ? 2 : (y_longest & first) != 0 ? 1 : 0;
+        asked.kx = asked.kz == 2 ? 0 : asked.kz + 1;
+        asked.ky = asked.kx == 2 ? 0 : asked.kx + 1;
+        const F shear_z = F(1) / load<16>(asked.direction[asked.kz]);
+        store(shear_z, asked.shear_z);
+        store(load<16>(asked.direction[asked.kx]) * shear_z, asked.shear_x);
+        store(load<16>(asked.direction[asked.ky]) * shear_z, asked.shear_y);
+        const PacketBeam beam(tree, asked, group);
+        PacketWalk{tree, planes, asked, beam, flip}.run(group, enter, leave);
+    }
+}
+
 void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
     using F = Floats<16>;
     if (tree.leaves == nullptr) return;
@@ -218,32 +250,7 @@ void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, 
     }
     some &= is_at_most(enter, leave);
     if (some == 0) return;
-    const F dx = magnitude_of(load<16>(asked.direction[0])), dy = magnitude_of(load<16>(asked.direction[1])),
-            dz = magnitude_of(load<16>(asked.direction[2]));
-    const Bits z_longest = is_at_most(dx, dz) & is_at_most(dy, dz);
-    const Bits y_longest = is_at_most(dx, dy) & ~z_longest;
-    for (Bits left = some; left != 0;) {
-        const Bits first = left & (~left + 1);
-        Bits group = left;
-        std::uint32_t flip = 0;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const bool is_down = (negative[k] & first) != 0;
-            group &= is_down ? negative[k] : ~negative[k];
-            flip |= (is_down ? 1u : 0u) << k;
-        }
-        group &= (z_longest & first) != 0 ? z_longest : ~z_longest;
-        group &= (y_longest & first) != 0 ? y_longest : ~y_longest;
-        left &= ~group;
-        asked.kz = (z_longest & first) != 0 ? 2 : (y_longest & first) != 0 ? 1 : 0;
-        asked.kx = asked.kz == 2 ? 0 : asked.kz + 1;
-        asked.ky = asked.kx == 2 ? 0 : asked.kx + 1;
-        const F shear_z = F(1) / load<16>(asked.direction[asked.kz]);
-        store(shear_z, asked.shear_z);
-        store(load<16>(asked.direction[asked.kx]) * shear_z, asked.shear_x);
-        store(load<16>(asked.direction[asked.ky]) * shear_z, asked.shear_y);
-        const PacketBeam beam(tree, asked, group);
-        PacketWalk{tree, planes, asked, beam, flip}.run(group, enter, leave);
-    }
+    walk_by_groups(tree, planes, negative, some, enter, leave, asked);
     write_hits(tree, some, asked, rays);
 }
 

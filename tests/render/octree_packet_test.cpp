@@ -293,6 +293,31 @@ TEST(OctreePacket, TakesDirectionsOfAnyLength) {
     });
 }
 
+TEST(OctreePacket, TakesMeshesFarFromTheirOwnOriginAndSlivers) {
+    accel::InputMesh mesh = test::random_soup(3000, 0.05f, 12);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        // Every third triangle becomes a sliver towards its second corner.
+        if (i % 9 == 8)
+            for (std::size_t k = 0; k < 3; ++k)
+                mesh.vertices[i][k] = mesh.vertices[i - 1][k] + 1e-3f * (mesh.vertices[i][k] - mesh.vertices[i - 1][k]);
+        mesh.vertices[i][0] += 1000;
+        mesh.vertices[i][1] -= 300;
+    }
+    const MeshTree tree(mesh);
+    const Vec3d middle = {1000, -300, 0};
+    with_every_set([&] {
+        RandomNumbers numbers(13);
+        int hits = 0;
+        for (int block = 0; block < 600; ++block) {
+            const auto& aim = mesh.vertices[static_cast<std::size_t>(block) * 7 % mesh.vertices.size()];
+            const Vec3d to = block % 2 == 0 ? middle + numbers.point(0.8) : Vec3d{aim[0], aim[1], aim[2]};
+            hits +=
+                agree(tree.view(), neighbours(middle + numbers.point(2.5), to, block % 3 == 0 ? 1e-4 : 0.05), everyone);
+        }
+        EXPECT_GT(hits, 1000);
+    });
+}
+
 TEST(OctreePacket, TakesMeshesThatAreHardlyOnes) {
     std::vector<std::array<std::array<float, 3>, 3>> fan, same;
     for (int i = 0; i < 500; ++i) {
