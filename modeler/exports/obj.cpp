@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "modeler/exports/scene_mesh.h"
+#include "plans/colour.h"
 
 namespace enfilade::modeler {
 
@@ -22,6 +24,10 @@ void append_line(std::string& text, const char* key, const std::array<float, 3>&
     for (const float value : p) append(text, value);
     text += '\n';
 }
+
+/// The format does not say what Kd means; most readers, ours too, take it for sRGB. Six digits, so that the last bits
+/// of pow() of some library do not enter the file.
+float srgb_digits(float linear) { return std::round(plans::srgb_from_linear(linear) * 1e6f) / 1e6f; }
 
 /// OBJ names end at the first blank.
 std::string word(std::string name) {
@@ -50,7 +56,8 @@ ObjText to_obj(const accel::SceneView& scene, std::string_view mtl_name) {
     ObjText out;
     for (const MeshMaterial& material : mesh.materials) {
         out.mtl += "newmtl " + word(material.name) + '\n';
-        append_line(out.mtl, "Kd", material.colour);
+        const auto& [red, green, blue] = material.colour;
+        append_line(out.mtl, "Kd", {srgb_digits(red), srgb_digits(green), srgb_digits(blue)});
         if (material.opacity < 1) {
             out.mtl += "d";
             append(out.mtl, material.opacity);

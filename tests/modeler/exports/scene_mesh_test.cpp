@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "accel/assemble.h"
+#include "modeler/catalogue/image_mean.h"
+#include "modeler/catalogue/mtl.h"
 #include "modeler/exports/obj.h"
 #include "tests/support/synthetic_scene.h"
 
@@ -109,6 +112,23 @@ TEST(Obj, IndicesStayWithinItsVertices) {
     }
     EXPECT_EQ(largest, vertices);
     EXPECT_EQ(faces, scene_mesh(scene.view()).triangle_count());
+}
+
+TEST(Obj, ColoursComeBackAsOurReaderOfModelsTakesThem) {
+    const accel::Scene scene = office();
+    const auto read = read_mtl(to_obj(scene.view(), "office.mtl").mtl);
+    std::size_t between = 0;  // colours that linear numbers in the file would darken
+    for (const MeshMaterial& material : scene_mesh(scene.view()).materials) {
+        std::string name = material.name;
+        std::ranges::replace(name, ' ', '_');
+        ASSERT_TRUE(read.contains(name) && read.at(name).diffuse) << name;
+        const std::array<float, 3> colour = linear_colour(*read.at(name).diffuse);
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(colour[k], material.colour[k], 2e-6) << material.name;
+            between += material.colour[k] > 0.05f && material.colour[k] < 0.95f ? 1 : 0;
+        }
+    }
+    EXPECT_GT(between, 0u);
 }
 
 }  // namespace
