@@ -20,7 +20,7 @@ public:
 
     /// What one more reference for each triangle is taken to cost a line through the root, since what is larger is less
     /// often in a cache; a leaf takes as much memory as `leaf_references` references.
-    static constexpr double memory_price = 6, leaf_references = 1.6;
+    static constexpr double memory_price = 15, leaf_references = 1.6;
 
     /// Leaves and references that the root may have below it.
     [[nodiscard]] static std::uint64_t budget(std::size_t triangles) {
