@@ -94,7 +94,7 @@ TEST_P(ObjectMeshes, AreHitAsByBruteForce) {
     for (const ObjectAccelKind kind : {ObjectAccelKind::Bvh, ObjectAccelKind::Plain, ObjectAccelKind::Octree}) {
         const auto built = build_object_accel(view, kind, *make_executor());
         const ObjectTracer tracer = built->tracer();
-        const double most = kind == ObjectAccelKind::Octree ? 130 : 60;  // bytes a triangle
+        const double most = kind == ObjectAccelKind::Octree ? 120 : 60;  // bytes a triangle
         EXPECT_LT(static_cast<double>(built->bytes()), most * static_cast<double>(view.mesh_triangles.size()) + 5000);
         test::RandomNumbers numbers(3);
         int hits = 0, at_edges = 0;
