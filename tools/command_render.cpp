@@ -77,9 +77,21 @@ const char* usual_camera(const RenderOptions& options) {
     return is_mesh_file(options.scene) ? "exterior" : "dollhouse";
 }
 
-Shot chosen_shot(const RenderOptions& options, const accel::SceneView& scene) {
+/// Rows of the files that the colour scale takes: the pictures above it are so much less high.
+int scale_rows(const RenderOptions& options) {
+    const auto [width, height] = parse_size(options.size);
+    return options.show.empty() ? 0 : bar_rows(width, height);
+}
+
+/// Width and height of what a camera sees.
+std::pair<int, int> picture_size(const RenderOptions& options) {
     const auto [width, height] = parse_size(options.size);
     return {{},
+    return {width, height - scale_rows(options)};
+}
+
+Shot chosen_shot(const RenderOptions& options, const accel::SceneView& scene) {
+    const auto [width, height] = picture_size(options);
             !options.room.empty()
                 ? room_view(scene, options.room, width, height)
                 : named_view(scene, options.camera.empty() ? usual_camera(options) : options.camera, width, height),
@@ -95,7 +107,7 @@ std::vector<Shot> chosen_shots(const RenderOptions& options, const accel::SceneV
         if (!file.relocated.empty() && !console.quiet()) console.warn(file.warning(options.views));
         for (const SavedView& view : file.views) shots.push_back({view.name, {view.camera, {}}, view.cell});
     }
-    const auto [width, height] = parse_size(options.size);
+    const auto [width, height] = picture_size(options);
     for (Shot& shot : shots) {
         shot.view.camera.width = width;
         shot.view.camera.height = height;
@@ -206,7 +218,7 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
         render::Image image;
         shot.seconds = seconds_of([&] {
-            image = counts ? counts->picture(shot.view, watched)
+            image = counts ? counts->picture(shot.view, watched, scale_rows(options))
                            : render_view(options, choice, view, shot, objects, watched, made.stats);
         });
         files.write(k, image);
@@ -252,8 +264,9 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     json["objects"] = made.objects.json();
     if (made.mesh) json["mesh"] = made.mesh->json();
     json["shading"] = options.shading;
-    json["width"] = made.shots.front().view.camera.width;
-    json["height"] = made.shots.front().view.camera.height;
+    const auto [width, height] = parse_size(options.size);
+    json["width"] = width;
+    json["height"] = height;
     if (options.views.empty()) {
         add_camera(json, made.shots.front(), made.origin);
     } else {

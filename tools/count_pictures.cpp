@@ -12,6 +12,14 @@ namespace enfilade::tools {
 namespace {
 
 constexpr int coarse_side = 160;
+constexpr std::size_t fewest_counted = 400;  ///< pixels, of which one in two hundred may be above the scale
+
+std::size_t counted_pixels(std::span<const render::PixelNumbers> pictures) {
+    std::size_t count = 0;
+    for (const render::PixelNumbers& numbers : pictures)
+        count += std::size_t(std::ranges::count_if(numbers.of_pixel, [](float value) { return value > 0; }));
+    return count;
+}
 
 /// The same view with at most `coarse_side` pixels a side.
 View coarse(View view) {
@@ -31,6 +39,8 @@ CountPictures::CountPictures(const accel::SceneView& scene, std::span<const View
     : scene_(scene), octrees_(octrees), shown_(shown) {
     std::vector<render::PixelNumbers> small;
     for (const View& view : views) small.push_back(numbers(coarse(view), executor));
+    if (counted_pixels(small) < fewest_counted)
+        for (std::size_t k = 0; k < views.size(); ++k) small[k] = numbers(views[k], executor);
     // Few rays pass along a surface, but those meet ten times what others do: above the scale, they leave its colours
     // to the rest.
     range_ = range_of(small, octrees != nullptr ? 0.995 : 1);
@@ -44,7 +54,7 @@ render::PixelNumbers CountPictures::numbers(const View& view, const accel::Execu
     return render::count_by_pixel(scene_, view.camera, count, view.cut_z, &executor, octrees_);
 }
 
-render::Image CountPictures::picture(const View& view, const accel::Executor& executor) {
+render::Image CountPictures::picture(const View& view, const accel::Executor& executor, int rows) {
     const render::PixelNumbers counted = numbers(view, executor);
     for (const float value : counted.of_pixel) {
         if (std::isnan(value)) continue;
@@ -53,7 +63,7 @@ render::Image CountPictures::picture(const View& view, const accel::Executor& ex
         sum_ += double{value};
         ++pixels_;
     }
-    return false_colour(counted, range_, unit());
+    return false_colour(counted, range_, unit(), rows);
 }
 
 std::string CountPictures::report() const {

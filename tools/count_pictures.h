@@ -16,11 +16,13 @@ namespace enfilade::tools {
 class CountPictures {
 public:
     /// `shown`: "cells", "sides", "leaves" or "blocks"; the latter two are of `octrees`. The scale spans what small
-    /// pictures of the views show, so that it is the same in all of them. \throws InputError as count_by_pixel
+    /// pictures of the views show (large ones where hardly any ray of these meets anything to count), so that it is the
+    /// same in all of them. \throws InputError as count_by_pixel
     CountPictures(const accel::SceneView& scene, std::span<const View> views, const std::string& shown,
                   const accel::Executor& executor, const render::OctreeCounter* octrees = nullptr);
 
-    [[nodiscard]] render::Image picture(const View& view, const accel::Executor& executor);
+    /// Of the view's size, with the scale in `rows` more below it (bar_rows()).
+    [[nodiscard]] render::Image picture(const View& view, const accel::Executor& executor, int rows);
 
     /// "cells a ray: 1 to 9, 1.62 on average": of the pictures made so far.
     [[nodiscard]] std::string report() const;

@@ -24,10 +24,12 @@ constexpr int band_height = margin + bar_height + gap + glyph_height + margin;
 
 double place_of(double value, ScaleRange range) { return (value - range.least) / (range.most - range.least); }
 
-void draw_bar(render::Image& image, ScaleRange range, double largest, const std::string& caption) {
-    const int scale = std::max(1, std::min(image.width, image.height) / 240);
-    const int top = image.height - scale * band_height;
-    fill_rectangle(image, 0, top, image.width, scale * band_height, ground);
+int dot_size(int width, int height) { return std::max(1, std::min(width, height) / 240); }
+
+void draw_bar(render::Image& image, int rows, ScaleRange range, double largest, const std::string& caption) {
+    const int scale = dot_size(image.width, image.height);
+    const int top = image.height - rows;
+    fill_rectangle(image, 0, top, image.width, rows, ground);
     const int left = scale * 2 * margin;
     const bool has_caption = image.width > 2 * text_width(caption, scale);
     const int right = image.width - left - (has_caption ? text_width(caption, scale) + 2 * left : 0);
@@ -59,12 +61,13 @@ ScaleRange range_of(std::span<const render::PixelNumbers> pictures, double share
     for (const render::PixelNumbers& numbers : pictures)
         std::ranges::copy_if(numbers.of_pixel, std::back_inserter(all), [](float value) { return !std::isnan(value); });
     ScaleRange range;
+    if (!all.empty()) range.most = range.least = double{std::ranges::min(all)};
+    std::erase(all, 0.0f);
     if (!all.empty()) {
         const auto most =
             all.begin() + std::max(std::ptrdiff_t(std::ceil(share * double(all.size()))), std::ptrdiff_t(1)) - 1;
         std::ranges::nth_element(all, most);
         range.most = double{*most};
-        range.least = double{std::ranges::min(all)};
     }
     if (!(range.most > range.least)) range.most = range.least + 1;
     return range;
@@ -85,8 +88,13 @@ std::vector<int> scale_marks(ScaleRange range, int count) {
     return marks;
 }
 
-render::Image false_colour(const render::PixelNumbers& numbers, ScaleRange range, const std::string& caption) {
-    render::Image image(numbers.width, numbers.height);
+int bar_rows(int width, int height) {
+    return width >= least_width && height >= least_height ? dot_size(width, height) * band_height : 0;
+}
+
+render::Image false_colour(const render::PixelNumbers& numbers, ScaleRange range, const std::string& caption,
+                           int rows) {
+    render::Image image(numbers.width, numbers.height + rows);
     double largest = range.most;
     for (std::size_t k = 0; k < numbers.of_pixel.size(); ++k) {
         const double value = double{numbers.of_pixel[k]};
@@ -96,7 +104,7 @@ render::Image false_colour(const render::PixelNumbers& numbers, ScaleRange range
         image.rgb[3 * k + 2] = colour.z;
         if (value > largest) largest = value;
     }
-    if (image.width >= least_width && image.height >= least_height) draw_bar(image, range, largest, caption);
+    if (rows > 0) draw_bar(image, rows, range, largest, caption);
     return image;
 }
 

@@ -109,7 +109,8 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(command, "--show", options.show, "WHAT",
               "instead of light, in false colours what each pixel's ray costs the scalar tracer: cells, the ones it "
               "enters past all objects; sides, the vertical lines it is tested against; leaves, those of objects' "
-              "octrees that it enters up to what it meets; or blocks of 16 triangles that it is tested against there")
+              "octrees that it enters up to what it meets; or blocks of 16 triangles that it is tested against there. "
+              "The scale takes the lowest rows of the file, and the picture the rows above it")
         ->check(CLI::IsMember({"cells", "sides", "leaves", "blocks"}));
     add_object_accel(command, options.object_accel);
     command->add_flag("--no-objects", options.no_objects, "show the rooms without what stands in them");

@@ -83,7 +83,7 @@ TEST_F(RenderShow, SidesAreAtLeastThreeACell) {
     const json sides = json::parse(show("sides", "sides.png", {"--camera", "exterior", "--json"}).out)["counts"];
     const json cells = json::parse(show("cells", "sides.png", {"--camera", "exterior", "--json"}).out)["counts"];
     EXPECT_GE(sides["mean"].get<double>(), 3 * cells["mean"].get<double>());
-    EXPECT_EQ(sides["rays"], 96 * 72);
+    EXPECT_EQ(sides["rays"], 96 * (72 - tools::bar_rows(96, 72)));
 }
 
 TEST_F(RenderShow, OtherTracersAreRefused) {
@@ -115,12 +115,21 @@ TEST(FalseColour, RangeSpansThePicturesAndNothingElse) {
     EXPECT_EQ(range.most, 9);
     EXPECT_EQ(tools::range_of(std::vector{numbers(2, 2, 7)}).most, 8);
     EXPECT_EQ(tools::range_of({}).most, 1);
+    EXPECT_EQ(tools::range_of(std::vector{numbers(2, 2, 0)}).most, 1);
     PixelNumbers many = numbers(10, 10, 2);
     many.of_pixel[40] = 50;
     many.of_pixel[41] = 7;
     EXPECT_EQ(tools::range_of(std::vector{many}, 0.99).most, 7);
     EXPECT_EQ(tools::range_of(std::vector{many}, 0.98).most, 3) << "one more than the least";
     EXPECT_EQ(tools::range_of(std::vector{many}).most, 50);
+}
+
+TEST(FalseColour, EmptySurroundingsDoNotEndTheScale) {
+    PixelNumbers small_object = numbers(100, 100, 0);
+    for (std::size_t k = 0; k < 10; ++k) small_object.of_pixel[k] = float(k);
+    const ScaleRange range = tools::range_of(std::vector{small_object}, 0.995);
+    EXPECT_EQ(range.least, 0);
+    EXPECT_EQ(range.most, 9);
 }
 
 TEST(FalseColour, MarksAreWholeAndFew) {
@@ -137,11 +146,19 @@ TEST(FalseColour, MarksAreWholeAndFew) {
 }
 
 TEST(FalseColour, SmallPicturesHaveNoBar) {
-    const render::Image small = tools::false_colour(numbers(79, 60, 3), {1, 5}, "cells a ray");
-    for (int y = 0; y < small.height; ++y) EXPECT_EQ(small.pixel(40, y), render::scale_colour(0.5));
-    const render::Image large = tools::false_colour(numbers(80, 60, 3), {1, 5}, "cells a ray");
-    EXPECT_NE(large.pixel(40, 59), render::scale_colour(0.5));
-    EXPECT_EQ(large.pixel(40, 20), render::scale_colour(0.5));
+    EXPECT_EQ(tools::bar_rows(79, 60), 0);
+    EXPECT_EQ(tools::bar_rows(80, 59), 0);
+    for (const int side : {80, 240, 1024, 5000}) {
+        EXPECT_GT(tools::bar_rows(side, side), 0) << side;
+        EXPECT_LT(2 * tools::bar_rows(side, side), side) << side;
+    }
+}
+
+TEST(FalseColour, TheBarHidesNothing) {
+    const int rows = tools::bar_rows(300, 100);
+    const render::Image image = tools::false_colour(numbers(300, 100 - rows, 3), {1, 5}, "cells a ray", rows);
+    ASSERT_EQ(image.height, 100);
+    for (int y = 0; y < 100; ++y) EXPECT_EQ(image.pixel(0, y) == render::scale_colour(0.5), y < 100 - rows) << y;
 }
 
 TEST(FalseColour, LettersStayInThePicture) {
