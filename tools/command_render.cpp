@@ -86,12 +86,12 @@ int scale_rows(const RenderOptions& options) {
 /// Width and height of what a camera sees.
 std::pair<int, int> picture_size(const RenderOptions& options) {
     const auto [width, height] = parse_size(options.size);
-    return {{},
     return {width, height - scale_rows(options)};
 }
 
 Shot chosen_shot(const RenderOptions& options, const accel::SceneView& scene) {
     const auto [width, height] = picture_size(options);
+    return {{},
             !options.room.empty()
                 ? room_view(scene, options.room, width, height)
                 : named_view(scene, options.camera.empty() ? usual_camera(options) : options.camera, width, height),
