@@ -1,5 +1,7 @@
 #include "render/camera.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -13,9 +15,11 @@ namespace {
 
 bool is_finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-std::string text(Vec3f p) {
+/// In the plan's metres, as people type and read them.
+std::string text(const accel::SceneView& scene, Vec3f p) {
     std::array<char, 96> buffer;
-    std::snprintf(buffer.data(), buffer.size(), "(%.3f, %.3f, %.3f)", double{p.x}, double{p.y}, double{p.z});
+    std::snprintf(buffer.data(), buffer.size(), "(%.3f, %.3f, %.3f)", p.x + scene.origin[0], p.y + scene.origin[1],
+                  p.z + scene.origin[2]);
     return buffer.data();
 }
 
@@ -51,14 +55,18 @@ accel::CellId start_cell(const accel::SceneView& scene, const CameraFrame& frame
     const accel::LocatorNode& site = scene.locator_nodes[0];
     const bool is_outside = eye.x < site.low[0] || eye.y < site.low[1] || eye.z < site.low[2] || eye.x > site.high[0] ||
                             eye.y > site.high[1] || eye.z > site.high[2];
-    const std::string corners =
-        text({site.low[0], site.low[1], site.low[2]}) + " to " + text({site.high[0], site.high[1], site.high[2]});
-    throw InputError("R2", "",
-                     is_outside
-                         ? "the camera at " + text(eye) + " stands outside the site, which reaches from " + corners +
-                               "; move it inside or name a room with --room"
-                         : "the camera at " + text(eye) +
-                               " stands inside a wall, a slab or the ground; move it or name a room with --room");
+    const std::string corners = text(scene, {site.low[0], site.low[1], site.low[2]}) + " to " +
+                                text(scene, {site.high[0], site.high[1], site.high[2]});
+    const bool has_rooms = std::any_of(scene.spaces.begin(), scene.spaces.end(),
+                                       [](const accel::Space& space) { return space.label == accel::Label::Room; });
+    const std::string remedy =
+        has_rooms ? " or name a room with --room" : ", or give --camera exterior or aerial in its place";
+    throw InputError(
+        "R2", "",
+        is_outside
+            ? "the camera at " + text(scene, eye) + " stands outside the site, which reaches from " + corners +
+                  "; move it inside" + remedy
+            : "the camera at " + text(scene, eye) + " stands inside a wall, a slab or the ground; move it" + remedy);
 }
 
 }  // namespace enfilade::render

@@ -33,7 +33,7 @@ struct CameraFrame {
 [[nodiscard]] CameraFrame make_frame(const Camera& camera);
 
 /// The cell from which the camera sees. \throws InputError (R2) if its eye lies in a wall or outside the site, saying
-/// where and what to do.
+/// where, in the metres of the plan, and what to do.
 [[nodiscard]] accel::CellId start_cell(const accel::SceneView& scene, const CameraFrame& frame);
 
 }  // namespace enfilade::render

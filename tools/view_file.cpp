@@ -1,5 +1,6 @@
 #include "tools/view_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -91,10 +92,13 @@ std::string text_of(const Vec3d& p) {
            ')';
 }
 
-std::string stands_nowhere(const std::string& name, const Vec3d& eye_in_plan) {
+std::string stands_nowhere(const accel::SceneView& scene, const std::string& name, const Vec3d& eye_in_plan) {
+    // Tours are of rooms: a mesh by itself has none.
+    const bool has_rooms = std::any_of(scene.spaces.begin(), scene.spaces.end(),
+                                       [](const accel::Space& space) { return space.label == accel::Label::Room; });
     return "The eye of the view \"" + name + "\" at " + text_of(eye_in_plan) +
-           " stands in a wall, a slab or the ground, or outside the site: move it, or make the views again with "
-           "\"enfilade tour\".";
+           " stands in a wall, a slab or the ground, or outside the site: move it" +
+           (has_rooms ? ", or make the views again with \"enfilade tour\"." : ".");
 }
 
 class Reader {
@@ -137,7 +141,7 @@ private:
         if (named && *named < scene_.cells.size() && accel::contains(scene_, accel::CellId(*named), eye))
             return accel::CellId(*named);
         const std::optional<accel::CellId> found = accel::locate(scene_, eye);
-        if (!found) plans::refuse(source_, "F135", place, stands_nowhere(view.name, eye_in_plan));
+        if (!found) plans::refuse(source_, "F135", place, stands_nowhere(scene_, view.name, eye_in_plan));
         if (named && *named != index(*found)) result_.relocated.push_back(view.name);
         return *found;
     }
@@ -211,7 +215,7 @@ SavedView as_saved(const SavedView& view, const accel::SceneView& scene) {
     saved.camera.target = rounded(view.camera.target + origin_of(scene)) - origin_of(scene);
     saved.camera.fov_deg = rounded(view.camera.fov_deg, 1e-2);
     const std::optional<accel::CellId> cell = accel::locate(scene, eye_as_traced(saved.camera));
-    if (!cell) throw InputError("F135", "", stands_nowhere(view.name, eye));
+    if (!cell) throw InputError("F135", "", stands_nowhere(scene, view.name, eye));
     saved.cell = *cell;
     return saved;
 }

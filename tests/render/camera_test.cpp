@@ -100,5 +100,25 @@ TEST(StartCell, SaysWhereACameraInAWallOrOutsideTheSiteStands) {
     EXPECT_NE(std::string(outside.what()).find("outside the site"), std::string::npos);
 }
 
+TEST(StartCell, SaysPlacesInMetresOfThePlan) {
+    const accel::Scene scene = accel::assemble(test::synthetic_office({.rooms_per_row = 2, .rows = 2}));
+    accel::SceneView moved = scene.view();
+    moved.origin[0] = 1000;
+    moved.origin[1] = -20;
+    moved.origin[2] = 0.5;
+    Camera camera;
+    camera.eye = {0.1, 3, 1.6};
+    camera.target = {2, 3, 1.6};
+    const std::string wall = refusal([&] { (void)trace(moved, camera); }).what();
+    EXPECT_NE(wall.find("(1000.100, -17.000, 2.100) stands inside a wall"), std::string::npos) << wall;
+    camera.eye = {-300, 3, 1.6};
+    const std::string here = refusal([&] { (void)trace(scene.view(), camera); }).what();
+    const std::string outside = refusal([&] { (void)trace(moved, camera); }).what();
+    EXPECT_NE(outside.find("(700.000, -17.000, 2.100) stands outside"), std::string::npos) << outside;
+    EXPECT_NE(outside.substr(outside.find("reaches")), here.substr(here.find("reaches")))
+        << "its bounds are the plan's";
+    EXPECT_NE(outside.find("--room"), std::string::npos) << outside;
+}
+
 }  // namespace
 }  // namespace enfilade::render
