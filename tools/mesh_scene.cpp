@@ -109,9 +109,10 @@ std::string MeshScene::report() const {
     };
     say(defects.degenerate, " of them without area", " of them without area");
     say(defects.duplicate, " there twice", " there twice");
+    say(defects.open_edges, " open edge", " open edges");
     say(defects.crowded_edges, " edge of three triangles or more", " edges of three triangles or more");
-    say(defects.dropped, " more left out, whose corners do not exist or are no numbers",
-        " more left out, whose corners do not exist or are no numbers");
+    constexpr const char* left_out = " more left out: a corner does not exist, is no number or lies beyond 1e12";
+    say(defects.dropped, left_out, left_out);
     return text;
 }
 

@@ -21,6 +21,8 @@ public:
     /// The bytes of that name ('/' between folders). Nothing where there is none. \throws InputError K103 where it is
     /// damaged, encrypted or larger than `max_model_bytes`
     [[nodiscard]] virtual std::optional<std::string> read(const std::string& name) const = 0;
+    /// Why `read` finds nothing of that name, to end a sentence.
+    [[nodiscard]] virtual std::string why_absent(const std::string& /*name*/) const { return "there is no such file."; }
     /// Ascending; folders not included.
     [[nodiscard]] virtual const std::vector<std::string>& names() const = 0;
     /// For messages.

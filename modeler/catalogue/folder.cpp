@@ -73,6 +73,14 @@ public:
         if (leads_out || !std::filesystem::is_regular_file(folder_ / relative, error)) return std::nullopt;
         return bytes_of(folder_ / relative);
     }
+    [[nodiscard]] std::string why_absent(const std::string& name) const override {
+        std::error_code error;
+        const std::filesystem::file_status status = std::filesystem::status(folder_ / name, error);
+        if (std::filesystem::is_directory(status)) return "it is a folder; name a file in it.";
+        if (std::filesystem::is_regular_file(status)) return "it cannot be opened; check that it may be read.";
+        if (std::filesystem::exists(status)) return "it is no regular file; copy what it holds into one.";
+        return FileTree::why_absent(name);
+    }
     [[nodiscard]] const std::vector<std::string>& names() const override { return names_; }
     [[nodiscard]] const std::string& title() const override { return title_; }
 

@@ -191,6 +191,19 @@ private:
     RawMesh raw_;
 };
 
+/// The reason as its reader has it, but in words of the file that was given.
+std::string why_unread(std::string reason, const std::string& root) {
+    // What the reader says where a file does not even begin as glTF does.
+    if (reason.empty() || reason.find("No suitable reader") != std::string::npos)
+        return "it is damaged, or no glTF; export it again.";
+    for (const std::string& given : {'"' + root + '"', root})
+        for (std::size_t at = reason.find(given); at != std::string::npos; at = reason.find(given, at))
+            reason.replace(at, given.size(), "it");
+    constexpr std::string_view before = "GLTF: ";
+    if (reason.starts_with(before)) reason.erase(0, before.size());
+    return reason + (reason.ends_with('.') ? "" : ".");
+}
+
 }  // namespace
 
 RawMesh read_gltf_model(const FileTree& files, const std::string& name, std::string_view bytes, ReadImages images) {
@@ -201,7 +214,8 @@ RawMesh read_gltf_model(const FileTree& files, const std::string& name, std::str
     // No step of post-processing: each of them may weld, drop or reorder.
     const aiScene* scene = importer.ReadFile(root, 0);
     if (scene == nullptr)
-        throw InputError("K107", files.title(), "The model " + name + " cannot be used: " + importer.GetErrorString());
+        throw InputError("K107", files.title(),
+                         "The model " + name + " cannot be used: " + why_unread(importer.GetErrorString(), root));
     return Conversion(*scene, files, name, images).run();
 }
 

@@ -32,7 +32,7 @@ struct MeshDefects {
     std::uint32_t duplicate = 0;      ///< triangles that are there twice
     std::uint32_t open_edges = 0;     ///< edges of one triangle (vertices at one place count as one)
     std::uint32_t crowded_edges = 0;  ///< edges of three triangles or more
-    std::uint32_t dropped = 0;        ///< triangles left out: corners that do not exist, or are no numbers
+    std::uint32_t dropped = 0;        ///< triangles left out: corners that do not exist, are no numbers or beyond 1e12
     friend bool operator==(const MeshDefects&, const MeshDefects&) = default;
 };
 

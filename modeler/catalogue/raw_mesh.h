@@ -23,7 +23,7 @@ struct RawMesh {
     std::vector<RawMaterial> materials;                   ///< at least one where there is a triangle
     UpAxis up = UpAxis::Y;
     bool in_metres = false;           ///< the format says so (glTF)
-    std::uint32_t dropped = 0;        ///< triangles left out: corners that do not exist, or are no numbers
+    std::uint32_t dropped = 0;        ///< triangles left out: corners that do not exist, are no numbers or beyond 1e12
     std::uint32_t lines = 0;          ///< faces of fewer than three corners, which are no surface
     bool lacks_materials = false;     ///< a material library, or a material, that the file names is not there
     std::uint32_t unread_images = 0;  ///< textures that are absent or of no kind that is read

@@ -71,7 +71,9 @@ RawMesh read_bytes(const FileTree& files, const std::string& name, std::string b
 }
 
 std::string why_empty(const RawMesh& mesh) {
-    if (mesh.dropped > 0) return "none of its triangles has corners that exist and are numbers.";
+    if (mesh.dropped > 0)
+        return "each of its triangles has a corner that does not exist, is no number or lies beyond 1e12: "
+               "export it again, in a larger unit if its numbers are that large.";
     if (mesh.lines > 0) return "its faces have fewer than three corners.";
     return "it has no face.";
 }
@@ -85,7 +87,7 @@ bool has_model_extension(std::string_view name) {
 
 RawMesh read_model(const FileTree& files, const std::string& name, ReadImages images) {
     auto bytes = files.read(name);
-    if (!bytes) refuse(files, name, "there is no such file.");
+    if (!bytes) refuse(files, name, files.why_absent(name));
     RawMesh mesh;
     try {
         mesh = read_bytes(files, name, std::move(*bytes), images, 2);

@@ -155,7 +155,7 @@ void report_defects(const std::string& title, const std::vector<CatalogueRecord>
         index.findings.push_back(source_finding(code, severity, title + ": " + subject + form + " " + rest, hint));
     };
     say(dropping, "K154", Severity::Warning, "lose",
-        std::to_string(dropped) + " triangles in all, whose corners do not exist or are no numbers.",
+        std::to_string(dropped) + " triangles in all, whose corners do not exist, are no numbers or lie beyond 1e12.",
         "The rest is used; export them again.");
     say(flat, "K155", Severity::Note, "have", "triangles without area; they are kept.", "");
     say(twice, "K155", Severity::Note, "have", "triangles that are there twice; they are kept.", "");

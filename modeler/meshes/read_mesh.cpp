@@ -74,7 +74,10 @@ Mesh read_any(std::string_view bytes, const std::string& name, bool tolerant) {
     if (extension == "off") return read_off(bytes, name, tolerant);
     if (extension == "stl") return read_stl(bytes, name, tolerant);
     if (is_obj_word(word)) return read_obj(bytes, name, tolerant);
-    throw InputError("P801", name, "This is no mesh that is read here: OBJ, OFF, PLY, STL and CityJSON are.");
+    // Tolerant readers are asked by catalogues, which read glTF themselves, and no buildings.
+    throw InputError("P801", name,
+                     std::string("This is no mesh that is read here: ") +
+                         (tolerant ? "OBJ, glTF, GLB, PLY, OFF and STL are." : "OBJ, OFF, PLY, STL and CityJSON are."));
 }
 
 }  // namespace
@@ -93,7 +96,7 @@ Mesh read_mesh(std::string_view bytes, const std::string& name, const MeshOption
     Mesh mesh = read_any(bytes, name, options.tolerant);
     if (mesh.points.size() >= UINT32_MAX) throw InputError("P800", name, "A mesh has fewer than 2^32 vertices.");
     if (mesh.face_count() == 0 && mesh.solids.empty() && mesh.findings.empty())
-        throw InputError("P807", name, "The file has no face: there is nothing to check.");
+        throw InputError("P807", name, "The file has no face.");
     if (options.weld >= 0 && !options.tolerant) weld(mesh, options.weld);
     return mesh;
 }
