@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <charconv>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "accel/scene_file.h"
@@ -156,6 +157,34 @@ void check_mesh_flags(const RenderOptions& options, const TracerChoice& choice) 
         throw InputError("F148", "", "--up says how a mesh stands, and this is none: leave it out.");
     if (is_mesh && choice.is_oracle)
         throw InputError("F148", "", "The oracle sees no objects, so it shows no mesh: choose another --tracer.");
+    if (is_mesh && !options.room.empty())
+        throw InputError("F148", "",
+                         "A mesh by itself has no rooms: give --camera exterior, aerial or X,Y,Z:X,Y,Z instead of "
+                         "--room.");
+    if (is_mesh && options.camera.starts_with("dollhouse"))
+        throw InputError("F148", "",
+                         "A mesh by itself has no storey to cut open: give --camera exterior, aerial or X,Y,Z:X,Y,Z.");
+    if (is_mesh && options.no_objects)
+        throw InputError("F148", "", "A picture of a mesh shows nothing but that: leave out --no-objects.");
+    if (is_mesh && options.mirror_floor)
+        throw InputError("F148", "", "A mesh by itself stands on no floor that mirrors: leave out --mirror-floor.");
+}
+
+/// The scene file; what is none is told what would be one.
+accel::Scene opened(const std::filesystem::path& file) {
+    try {
+        return accel::open(file);
+    } catch (const InputError& error) {
+        std::array<char, 8> begin = {};
+        std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+        if (error.code != "F1" || file.extension() == ".enf" || std::string_view(begin.data(), 8) == "ENFILADE") throw;
+    }
+    const std::string ending = file.extension().string();
+    if (ending == ".gz" || ending == ".zip" || ending == ".xz" || ending == ".bz2")
+        throw InputError("F148", file.string(), "The file is compressed: unpack it first, and give what was in it.");
+    throw InputError("F148", file.string(),
+                     "This is neither a scene (.enf, as \"enfilade build\" makes them) nor a mesh by its ending: .obj, "
+                     ".gltf, .glb, .ply, .off and .stl are read.");
 }
 
 /// Whether --show asks for what rays do inside of objects.
@@ -188,7 +217,7 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     Pictures made;
     Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
     if (is_mesh_file(options.scene)) made.mesh = scene_of_mesh(options.scene, up_axis(options));
-    const accel::Scene scene = made.mesh ? std::move(made.mesh->scene) : accel::open(options.scene);
+    const accel::Scene scene = made.mesh ? std::move(made.mesh->scene) : opened(options.scene);
     const accel::SceneView view = options.no_objects ? without_objects(scene.view()) : scene.view();
     std::copy_n(view.origin, 3, made.origin.begin());
     progress.next();
@@ -293,6 +322,8 @@ int run_render(const RenderOptions& options, const Console& console) {
     if (counts_octrees(options) && options.no_objects)
         throw InputError("F139", "",
                          "--show " + options.show + " counts what rays do inside of objects: leave out --no-objects.");
+    if (choice.is_oracle) refuse_object_accel(options.object_accel, "The oracle sees no objects");
+    if (options.no_objects) refuse_object_accel(options.object_accel, "With --no-objects rays see no objects");
     const ObjectAccelChoice accel =
         object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : "");
     const Pictures made = make_pictures(options, choice, accel, console);

@@ -134,6 +134,9 @@ std::string report_text(const TraceCommandOptions& options, const QueryReport& r
 
 int run_trace(const TraceCommandOptions& options, const Console& console) {
     check_flags(options);
+    if (options.no_objects) refuse_object_accel(options.object_accel, "With --no-objects rays see no objects");
+    if (options.query == "all")
+        refuse_object_accel(options.object_accel, "--query all passes through rooms and sees no objects");
     const ObjectAccelChoice accel = object_accel_choice(options.object_accel);
     (void)output_path(options.output);  // what cannot be written is said before the work
     QueryReport report;

@@ -40,6 +40,34 @@ std::size_t triangle_count(const accel::SceneView& scene) {
     return sum;
 }
 
+const char* layout_name(const accel::OctreeOptions& asked) {
+    if (asked.layout == accel::OctreeLayout::Linked) return "linked";
+    return asked.has_stored_boxes ? "stored" : "ropes";
+}
+
+const char* real_name(const accel::OctreeOptions& asked) { return asked.walks_in_double ? "double" : "float"; }
+
+/// "linked, float, depth 5 at most, leaves by the mesh, balanced": as the flags say it.
+std::string words_of(const accel::OctreeOptions& asked) {
+    constexpr std::uint32_t automatic = accel::OctreeOptions::automatic;
+    return std::string(layout_name(asked)) + ", " + real_name(asked) + ", depth " +
+           (asked.depth == automatic ? "by the mesh" : std::to_string(asked.depth) + " at most") + ", leaves " +
+           (asked.leaf_size == automatic ? "by the mesh" : "split above " + counted(asked.leaf_size, "triangle")) +
+           (asked.is_balanced ? ", balanced" : ", not balanced");
+}
+
+/// Depth and leaf: null where the mesh decides.
+nlohmann::ordered_json json_of(const accel::OctreeOptions& asked) {
+    const auto number = [](std::uint32_t value) {
+        return value == accel::OctreeOptions::automatic ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
+    };
+    return {{"layout", layout_name(asked)},
+            {"real", real_name(asked)},
+            {"depth", number(asked.depth)},
+            {"leaf", number(asked.leaf_size)},
+            {"balance", asked.is_balanced}};
+}
+
 double per(std::size_t part, std::size_t whole) { return whole == 0 ? 0 : double(part) / double(whole); }
 
 std::string line(const char* name, const std::string& value) {
@@ -50,6 +78,11 @@ std::string line(const char* name, const std::string& value) {
 
 }  // namespace
 
+void refuse_object_accel(const ObjectAccelFlags& flags, const std::string& why) {
+    const std::string flag = flags.kind.empty() ? given_octree_flag(flags) : "--object-accel";
+    if (!flag.empty()) throw InputError("F139", "", why + ", so " + flag + " changes nothing: leave it out.");
+}
+
 ObjectAccelChoice object_accel_choice(const ObjectAccelFlags& flags, const std::string& asker) {
     const std::string octree_flag = given_octree_flag(flags);
     if (!asker.empty() && !flags.kind.empty() && flags.kind != "octree")
@@ -58,7 +91,8 @@ ObjectAccelChoice object_accel_choice(const ObjectAccelFlags& flags, const std::
             asker + " counts what rays do in octrees: leave out --object-accel " + flags.kind + ", or give it octree.");
     if (asker.empty() && flags.kind != "octree" && !octree_flag.empty())
         throw InputError("F139", "",
-                         octree_flag + " is for octrees: give --object-accel octree as well, or leave it out.");
+                         octree_flag + " is for octrees: give --object-accel octree " +
+                             (flags.kind.empty() ? "as well" : "instead of " + flags.kind) + ", or leave it out.");
     ObjectAccelChoice choice;
     choice.kind = asker.empty() ? kind_of(flags.kind) : render::ObjectAccelKind::Octree;
     if (flags.octree_depth) choice.octree.depth = *flags.octree_depth;
@@ -87,6 +121,7 @@ PreparedObjects prepare_objects(const accel::SceneView& scene, const ObjectAccel
     summary.accel = prepared.accel->name();
     summary.bytes = prepared.accel->bytes();
     if (const render::OctreeCounter* octrees = prepared.accel->octrees()) summary.octrees = octrees->figures();
+    summary.asked = choice.octree;
     return prepared;
 }
 
@@ -98,6 +133,7 @@ std::string ObjectsSummary::report() const {
     text +=
         line("bytes", byte_text(double(bytes)) + ", " + plans::rounded_text(per(bytes, triangles), 1) + " a triangle");
     if (!octrees) return text;
+    text += line("octrees as asked", words_of(asked));
     text += line("leaves", grouped(octrees->leaves) + ", " + grouped(octrees->empty_leaves) + " of them empty, in " +
                                counted(octrees->trees, "octree"));
     text += line("references", plans::rounded_text(per(octrees->references, triangles), 2) + " a triangle");
@@ -118,7 +154,8 @@ nlohmann::ordered_json ObjectsSummary::json() const {
                           {"empty_leaves", octrees->empty_leaves},
                           {"references", octrees->references},
                           {"references_per_triangle", per(octrees->references, triangles)},
-                          {"depth", octrees->depth}};
+                          {"depth", octrees->depth},
+                          {"asked", json_of(asked)}};
     return json;
 }
 

@@ -18,6 +18,10 @@ struct ObjectAccelChoice {
     accel::OctreeOptions octree;
 };
 
+/// Refuses every flag of these where no ray asks the structures of objects. `why`: a sentence's beginning, like "The
+/// oracle sees no objects". Throws InputError (F139).
+void refuse_object_accel(const ObjectAccelFlags& flags, const std::string& why);
+
 /// Reads and checks the flags, before any work. `asker`: the flag that needs octrees whatever else is said, like
 /// "--show leaves"; empty: nothing does. Throws InputError (F139) where they contradict each other.
 [[nodiscard]] ObjectAccelChoice object_accel_choice(const ObjectAccelFlags& flags, const std::string& asker = {});
@@ -30,6 +34,7 @@ struct ObjectsSummary {
     std::size_t bytes = 0;
     double seconds = 0;  ///< that building took
     std::optional<accel::OctreeFigures> octrees;
+    accel::OctreeOptions asked;  ///< how `octrees` were to be built
 
     /// In words, a line each.
     [[nodiscard]] std::string report() const;

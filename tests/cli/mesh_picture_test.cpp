@@ -1,5 +1,7 @@
 // `render MESH`: a mesh by itself, in light and in what it costs to find its triangles.
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <fstream>
 
@@ -147,12 +149,65 @@ TEST_F(MeshPicture, IsRefusedWithAReasonWhereThereIsNothingToSee) {
 TEST_F(MeshPicture, RefusesFlagsThatMeanNothingToIt) {
     file("box.obj", box_obj());
     for (const Words& more : {Words{"--tracer", "oracle"}, Words{"--room", "Kitchen"}, Words{"--up", "x"},
-                              Words{"--camera", "dollhouse"}}) {
+                              Words{"--camera", "dollhouse"}, Words{"--camera", "dollhouse:1"}, Words{"--no-objects"},
+                              Words{"--mirror-floor", "0.6"}, Words{"--camera", "1000,0,1:0,0,1"}}) {
         const Outcome outcome = render("box.obj", "none.png", more);
         EXPECT_EQ(outcome.exit_code, 2) << more[0];
         EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
+        // What helps with scenes helps here as little.
+        for (const char* remedy : {"--room NAME", "room with --room", "info SCENE"})
+            EXPECT_EQ(outcome.err.find(remedy), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(render("absent.enf", "none.png", {"--up", "z"}).exit_code, 2);
+}
+
+TEST_F(MeshPicture, WhatIsNeitherMeshNorSceneIsToldWhatIsRead) {
+    for (const char* name : {"city.json", "model.3ds", "plain"}) {
+        file(name, "neither of them");
+        const Outcome outcome = render(name, "none.png", {});
+        EXPECT_EQ(outcome.exit_code, 2) << name;
+        EXPECT_NE(outcome.err.find(".obj, .gltf, .glb, .ply, .off and .stl are read"), std::string::npos)
+            << outcome.err;
+    }
+    file("box.ply.gz", "packed");
+    EXPECT_NE(render("box.ply.gz", "none.png", {}).err.find("unpack it first"), std::string::npos);
+    file("damaged.enf", "neither of them");
+    EXPECT_NE(render("damaged.enf", "none.png", {}).err.find("no scene file"), std::string::npos);
+}
+
+TEST_F(MeshPicture, SaysOpenEdges) {
+    const std::string faces = box_faces("3 ", 0);
+    file("open.off", "OFF\n8 11 0\n" + box_corners("") + faces.substr(faces.find('\n') + 1));
+    file("box.off", box_off());
+    EXPECT_NE(render("open.off", "open.png", {}).out.find("11 triangles, 3 open edges."), std::string::npos);
+    EXPECT_EQ(render("box.off", "box.png", {}).out.find("open"), std::string::npos);
+}
+
+TEST_F(MeshPicture, RefusalsNameTheFileAndWhatItIs) {
+    file("words.gltf", "hello");
+    file("bare.glb", "glTFxx");
+    file("bufferless.gltf", R"({"asset":{"version":"2.0"}})");
+    for (const char* name : {"words.gltf", "bare.glb", "bufferless.gltf"}) {
+        const std::string said = render(name, "none.png", {}).err;
+        EXPECT_NE(said.find(name), std::string::npos) << said;
+        EXPECT_EQ(said.find("\"model.gl"), std::string::npos) << said;
+    }
+    std::filesystem::create_directory(folder_ / "folder.obj");
+    EXPECT_NE(render("folder.obj", "none.png", {}).err.find("it is a folder"), std::string::npos);
+    ASSERT_EQ(mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
+    EXPECT_NE(render("pipe.obj", "none.png", {}).err.find("no regular file"), std::string::npos);
+    EXPECT_NE(render("absent.obj", "none.png", {}).err.find("no such file"), std::string::npos);
+}
+
+TEST_F(MeshPicture, SaysHowLargeCoordinatesMayBe) {
+    for (const char* x : {"1e30", "1e15"}) {
+        file("huge.obj", "v 0 0 0\nv " + std::string(x) + " 0 0\nv 0 1 0\nf 1 2 3\n");
+        const Outcome outcome = render("huge.obj", "none.png", {});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("beyond 1e12"), std::string::npos) << outcome.err;
+    }
+    file("large.obj", "v 0 0 0\nv 9e11 0 0\nv 0 9e11 0\nf 1 2 3\n");
+    EXPECT_EQ(render("large.obj", "large.png", {}).exit_code, 0);
 }
 
 TEST_F(MeshPicture, CountsOneLeafWhereTheOctreeIsOne) {

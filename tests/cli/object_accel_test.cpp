@@ -85,11 +85,22 @@ TEST_F(ObjectAccelFlag, SaysWhatWasBuilt) {
     EXPECT_GT(octree.at("leaves"), octree.at("empty_leaves"));
     EXPECT_GE(octree.at("references_per_triangle"), 1);
     EXPECT_GE(octree.at("depth"), 1);
+    const json usual = {
+        {"layout", "linked"}, {"real", "float"}, {"depth", nullptr}, {"leaf", nullptr}, {"balance", false}};
+    EXPECT_EQ(octree.at("asked"), usual);
+    const json other = {{"layout", "stored"}, {"real", "double"}, {"depth", 6}, {"leaf", 9}, {"balance", true}};
+    EXPECT_EQ(picture("said.png", {"--object-accel", "octree", "--octree-layout", "stored", "--octree-real", "double",
+                                   "--octree-depth", "6", "--octree-leaf", "9", "--octree-balance"})
+                  .at("objects")
+                  .at("octree")
+                  .at("asked"),
+              other);
     EXPECT_EQ(picture("said.png", {"--object-accel", "plain"}).at("objects").at("accel"), "plain");
     EXPECT_TRUE(picture("said.png", {"--no-objects"}).at("objects").is_null());
     const Outcome text = run({"render", "full.enf", "-o", "said.png", "--size", "16x16", "--room", room_,
                               "--object-accel", "octree", "--stats"});
-    for (const char* part : {"octree, built in", "a triangle", "leaves", "references", "depth"})
+    for (const char* part :
+         {"octree, built in", "linked, float, depth by the mesh", "a triangle", "leaves", "references", "depth"})
         EXPECT_NE(text.out.find(part), std::string::npos) << part << '\n' << text.out;
 }
 
@@ -131,6 +142,29 @@ TEST_F(ObjectAccelFlag, WrongFlagsAreRefusedBeforeTheWork) {
         }
     }
     EXPECT_FALSE(std::filesystem::exists(folder() / "wrong.png"));
+}
+
+TEST_F(ObjectAccelFlag, FlagsThatChangeNothingAreRefused) {
+    const Words render = {"render", "absent.enf", "-o", "wrong.png"};
+    const Words trace = {"trace", "absent.enf", "absent.npy", "-o", "wrong.npy"};
+    const std::vector<std::pair<Words, std::string>> idle = {
+        {render + Words{"--tracer", "oracle"}, "oracle"},
+        {render + Words{"--no-objects"}, "--no-objects"},
+        {trace + Words{"--query", "all"}, "--query all"},
+        {trace + Words{"--no-objects"}, "--no-objects"},
+    };
+    for (const auto& [words, part] : idle) {
+        for (const Words& flags : {Words{"--object-accel", "octree"}, Words{"--object-accel", "plain"},
+                                   Words{"--object-accel", "octree", "--octree-depth", "3"}}) {
+            const Outcome outcome = run(words + flags);
+            EXPECT_EQ(outcome.exit_code, 2) << part;
+            EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
+            EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+            EXPECT_NE(outcome.err.find("--object-accel changes nothing"), std::string::npos) << outcome.err;
+        }
+    }
+    EXPECT_NE(run(render + Words{"--object-accel", "bvh", "--octree-depth", "5"}).err.find("instead of bvh"),
+              std::string::npos);
 }
 
 }  // namespace
