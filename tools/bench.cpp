@@ -80,7 +80,7 @@ std::string row_text(const BenchRow& row) {
                                                                 : *met ? "  met"
                                                                        : "  NOT MET");
     char text[512];
-    std::snprintf(text, sizeof text, "  %-40s %-22s %2u thr %10s %-12s %-36s %s", row.row.c_str(), row.scene.c_str(),
+    std::snprintf(text, sizeof text, "  %-42s %-22s %2u thr %10s %-12s %-40s %s", row.row.c_str(), row.scene.c_str(),
                   row.threads, number(row.value).c_str(), row.unit.c_str(), against.c_str(), verdict.c_str());
     std::string line = text;
     line.erase(line.find_last_not_of(' ') + 1);

@@ -152,18 +152,19 @@ private:
         const double waiting = std::max(0.0, times.stream - times.bunches);
         char text[512];
         int length = std::snprintf(text, sizeof text,
-                                   "%s: %s: %.0f ns a ray; %.0f ns with all it touches in caches, so %.0f %% of the "
-                                   "time is waiting for memory; "
-                                   "%.0f ns with its branches known, too.",
+                                   "%s: %s rays: %.0f ns each; %.0f ns where all they touch lies in the caches, so "
+                                   "%.0f %% of the time is waiting for memory; %.0f ns where the processor has learnt "
+                                   "their branches, too.",
                                    mesh_->title().c_str(), what.c_str(), times.stream, times.bunches,
                                    100 * waiting / times.stream, times.same);
         if (work != nullptr && length > 0 && std::size_t(length) < sizeof text)
             length += std::snprintf(text + length, sizeof text - std::size_t(length),
-                                    " It enters %.1f leaves and tests %.1f blocks.", work->leaves, work->blocks);
+                                    " A ray enters %.1f leaves and tests %.1f blocks of up to 16 triangles.",
+                                    work->leaves, work->blocks);
         if (steps && length > 0 && std::size_t(length) < sizeof text)
             std::snprintf(text + length, sizeof text - std::size_t(length),
-                          " Some rays stepped through: %.0f instructions each, %.1f a ns at best.", steps->instructions,
-                          steps->instructions / steps->nanoseconds);
+                          " They take %.0f instructions each (counted on some), %.1f a nanosecond at best.",
+                          steps->instructions, steps->instructions / steps->nanoseconds);
         bench_->remark(text);
     }
 
