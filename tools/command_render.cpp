@@ -324,6 +324,8 @@ int run_render(const RenderOptions& options, const Console& console) {
                          "--show " + options.show + " counts what rays do inside of objects: leave out --no-objects.");
     if (choice.is_oracle) refuse_object_accel(options.object_accel, "The oracle sees no objects");
     if (options.no_objects) refuse_object_accel(options.object_accel, "With --no-objects rays see no objects");
+    if (!options.show.empty() && !counts_octrees(options))
+        refuse_object_accel(options.object_accel, "--show " + options.show + " counts past all objects");
     const ObjectAccelChoice accel =
         object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : "");
     const Pictures made = make_pictures(options, choice, accel, console);

@@ -148,9 +148,8 @@ TEST_F(ObjectAccelFlag, FlagsThatChangeNothingAreRefused) {
     const Words render = {"render", "absent.enf", "-o", "wrong.png"};
     const Words trace = {"trace", "absent.enf", "absent.npy", "-o", "wrong.npy"};
     const std::vector<std::pair<Words, std::string>> idle = {
-        {render + Words{"--tracer", "oracle"}, "oracle"},
-        {render + Words{"--no-objects"}, "--no-objects"},
-        {trace + Words{"--query", "all"}, "--query all"},
+        {render + Words{"--tracer", "oracle"}, "oracle"},    {render + Words{"--no-objects"}, "--no-objects"},
+        {render + Words{"--show", "cells"}, "--show cells"}, {trace + Words{"--query", "all"}, "--query all"},
         {trace + Words{"--no-objects"}, "--no-objects"},
     };
     for (const auto& [words, part] : idle) {
