@@ -37,5 +37,16 @@ ENFILADE_HD float bring_near(const float* low, const float* high, ObjectRay& ray
     return moved;
 }
 
+/// Writes what `asked` met into the ray that it was before it was moved.
+ENFILADE_HD void bring_back(const ObjectRay& asked, float moved, ObjectRay& ray) {
+    ray.far = asked.far + moved;
+    ray.triangle = asked.triangle;
+    ray.normal_x = asked.normal_x;
+    ray.normal_y = asked.normal_y;
+    ray.normal_z = asked.normal_z;
+    ray.u = asked.u;
+    ray.v = asked.v;
+}
+
 }  // namespace ENFILADE_ISA
 }  // namespace enfilade::render

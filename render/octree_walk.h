@@ -220,13 +220,7 @@ ENFILADE_HD bool octree_walk(const accel::OctreeView& tree, ObjectRay& ray, Even
         step(r, exit, cell);
     }
     if (asked.triangle == ray.triangle) return false;
-    ray.far = asked.far + moved;
-    ray.triangle = asked.triangle;
-    ray.normal_x = asked.normal_x;
-    ray.normal_y = asked.normal_y;
-    ray.normal_z = asked.normal_z;
-    ray.u = asked.u;
-    ray.v = asked.v;
+    bring_back(asked, moved, ray);
     return true;
 }
 

@@ -185,13 +185,7 @@ ENFILADE_HD bool rope_walk(const accel::RopeView& tree, ObjectRay& ray, Events& 
         [&](accel::RopeAddress leaf) { return is_met = meets_rope_leaf<any>(tree, leaf, sheared, asked); },
         [&](T t) { return !(t < T(asked.far)); }, events);
     if (any || asked.triangle == ray.triangle) return is_met;
-    ray.far = asked.far + moved;
-    ray.triangle = asked.triangle;
-    ray.normal_x = asked.normal_x;
-    ray.normal_y = asked.normal_y;
-    ray.normal_z = asked.normal_z;
-    ray.u = asked.u;
-    ray.v = asked.v;
+    bring_back(asked, moved, ray);
     return true;
 }
 

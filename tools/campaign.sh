@@ -12,45 +12,44 @@
 # running along a triangle's plane.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-if [ "${1:-}" = rooms ]; then
-    tools/build.sh release random_rooms_test
+# campaign FOLDER TEST FILTER WORD HEAD...: builds tests/FOLDER/TEST and runs what of it the filter names. Prints the head, then
+# the rows that the test wrote behind the WORD; where it failed, all else that it said.
+campaign() {
+    local folder=$1 program=$2 filter=$3 word=$4 status=0 column
+    shift 4
+    tools/build.sh release "$program"
     log=$(mktemp)
     trap 'rm -f "$log"' EXIT
-    status=0
-    ENFILADE_ROOMS=${2:-100000} ENFILADE_ROOMS_SERIES=${3:-0} build/release/tests/modeler/cutting/random_rooms_test \
-        --gtest_filter='*RandomRooms*' >"$log" 2>&1 || status=1
-    echo "| rooms | cutter | cut | failed | pieces | to ceil(r/2)+1 | cuts moved | fallen back | thin between walls | thin between corners | thin by new cuts | unused points | stray | dent |"
-    echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
-    sed -n 's/^rooms | /| /p' "$log"
-    [ "$status" -eq 0 ] || grep -vE "^rooms \||RUN|OK" "$log" >&2
-    exit "$status"
-fi
-if [ "${1:-}" = rays ]; then
-    tools/build.sh release tracers_in_buildings_test
-    log=$(mktemp)
-    trap 'rm -f "$log"' EXIT
-    status=0
-    ENFILADE_RAYS=${2:-1000000000} ENFILADE_RAYS_SERIES=${3:-0} build/release/tests/render/tracers_in_buildings_test \
-        --gtest_filter=Leaks.AreNone >"$log" 2>&1 || status=1
-    echo "| family | tracer | rays | leaks | several exits | no exit | other face | of these looked at | no edge near |"
-    echo "|---|---|---|---|---|---|---|---|---|"
-    sed -n 's/^rays | /| /p' "$log"
-    [ "$status" -eq 0 ] || grep -vE "^rays \||RUN|OK" "$log" >&2
-    exit "$status"
-fi
-if [ "${1:-}" = octrees ]; then
-    tools/build.sh release octree_properties_test
-    log=$(mktemp)
-    trap 'rm -f "$log"' EXIT
-    status=0
-    ENFILADE_OCTREE_RAYS=${2:-10000000} ENFILADE_OCTREE_SERIES=${3:-0} build/release/tests/render/octree_properties_test \
-        --gtest_filter=AnyOctree.AnswersAsBruteForceInCampaigns >"$log" 2>&1 || status=1
-    echo "| family | rays | hits | other answers along planes | other answers |"
-    echo "|---|---|---|---|---|"
-    sed -n 's/^octrees | /| /p' "$log"
-    [ "$status" -eq 0 ] || grep -vE "^octrees \||RUN|OK" "$log" >&2
-    exit "$status"
-fi
+    "build/release/tests/$folder/$program" --gtest_filter="$filter" >"$log" 2>&1 || status=1
+    printf '| %s ' "$@"
+    echo "|"
+    for column in "$@"; do printf '|---'; done
+    echo "|"
+    sed -n "s/^$word | /| /p" "$log"
+    [ "$status" -eq 0 ] || grep -vE "^$word \||RUN|OK" "$log" >&2
+    return "$status"
+}
+
+case ${1:-} in
+rooms)
+    export ENFILADE_ROOMS=${2:-100000} ENFILADE_ROOMS_SERIES=${3:-0}
+    campaign modeler/cutting random_rooms_test '*RandomRooms*' rooms rooms cutter cut failed pieces "to ceil(r/2)+1" "cuts moved" \
+        "fallen back" "thin between walls" "thin between corners" "thin by new cuts" "unused points" stray dent
+    exit
+    ;;
+rays)
+    export ENFILADE_RAYS=${2:-1000000000} ENFILADE_RAYS_SERIES=${3:-0}
+    campaign render tracers_in_buildings_test Leaks.AreNone rays family tracer rays leaks "several exits" "no exit" "other face" \
+        "of these looked at" "no edge near"
+    exit
+    ;;
+octrees)
+    export ENFILADE_OCTREE_RAYS=${2:-10000000} ENFILADE_OCTREE_SERIES=${3:-0}
+    campaign render octree_properties_test AnyOctree.AnswersAsBruteForceInCampaigns octrees family rays hits \
+        "other answers along planes" "other answers"
+    exit
+    ;;
+esac
 tools/build.sh release campaign_test
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT

@@ -1,12 +1,14 @@
-// The walk through furnished rooms as device code, one thread a ray, with our own trees inside of objects.
+// The walk through furnished rooms as device code, one thread a ray, with our own trees of boxes or
+// octrees inside of objects.
 #include "render/camera.h"
 #include "render/object_walk.h"
+#include "render/octree_trees.h"
 #include "render/shade.h"
 
 namespace enfilade::render {
 
-template <class T>
-__global__ void furnished_kernel(accel::SceneView scene, MeshTrees trees, CameraFrame camera, std::uint32_t start,
+template <class T, class Trees>
+__global__ void furnished_kernel(accel::SceneView scene, Trees trees, CameraFrame camera, std::uint32_t start,
                                  int width, int height, std::uint32_t* objects, float* distances) {
     const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     if (i >= width * height) return;
@@ -25,7 +27,11 @@ __global__ void furnished_kernel(accel::SceneView scene, MeshTrees trees, Camera
 
 template __global__ void furnished_kernel<float>(accel::SceneView, MeshTrees, CameraFrame, std::uint32_t, int, int,
                                                  std::uint32_t*, float*);
+template __global__ void furnished_kernel<float>(accel::SceneView, OctreeTrees, CameraFrame, std::uint32_t, int, int,
+                                                 std::uint32_t*, float*);
 template __global__ void furnished_kernel<double>(accel::SceneView, MeshTrees, CameraFrame, std::uint32_t, int, int,
+                                                  std::uint32_t*, float*);
+template __global__ void furnished_kernel<double>(accel::SceneView, OctreeTrees, CameraFrame, std::uint32_t, int, int,
                                                   std::uint32_t*, float*);
 
 }  // namespace enfilade::render
