@@ -19,8 +19,9 @@ void add_object_accel(CLI::App* command, ObjectAccelFlags& flags) {
     add_value(command, "--octree-depth", flags.octree_depth, "N",
               "of octrees, 1 to 20: no leaf is smaller than their box halved that often (as deep as pays for the mesh)")
         ->check(CLI::Range(1u, accel::largest_octree_depth));
-    add_value(command, "--octree-leaf", flags.octree_leaf, "N",
-              "of octrees, 1 to 4096: leaves with no more triangles than this are not split (whatever costs a ray least)")
+    add_value(
+        command, "--octree-leaf", flags.octree_leaf, "N",
+        "of octrees, 1 to 4096: leaves with no more triangles than this are not split (whatever costs a ray least)")
         ->check(CLI::Range(1u, largest_leaf));
     command->add_flag("--octree-balance", flags.octree_balance,
                       "of octrees: leaves that touch differ by one level at most, as in the paper; more leaves");
