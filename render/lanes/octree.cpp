@@ -40,8 +40,6 @@ HWY_AFTER_NAMESPACE();
 #include "render/lanes/octree_beam-inl.h"
 //
 #include "render/lanes/octree_packet-inl.h"
-//
-#include "render/lanes/octree_apart-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace enfilade::render {
