@@ -189,8 +189,9 @@ private:
     [[nodiscard]] std::string panel() const {
         std::string text =
             "<aside class=\"panel\" aria-label=\"Findings\">\n<div class=\"filters\">"
-            "<input type=\"search\" id=\"search\" placeholder=\"Search findings\" aria-label=\"Search "
-            "findings\" autocomplete=\"off\">\n<div class=\"row\">";
+            "<label class=\"search\">Search findings<input type=\"search\" id=\"search\" "
+            "autocomplete=\"off\"></label>\n"
+            "<div class=\"row\">";
         for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note}) {
             std::size_t count = 0;
             for (const Finding& finding : report_.findings) count += finding.severity == severity;
