@@ -29,6 +29,12 @@ std::string without_url_escapes(std::string_view name) {
     return out;
 }
 
+/// Both in an archive and in what refers to it, "/a" is "a".
+std::string_view without_root(std::string_view name) {
+    name.remove_prefix(std::min(name.find_first_not_of('/'), name.size()));
+    return name;
+}
+
 }  // namespace
 
 std::string in_lower_case(std::string_view text) {
@@ -73,13 +79,14 @@ std::string stem_of_name(std::string_view name) {
 
 NameIndex::NameIndex(const std::vector<std::string>& names) {
     for (std::size_t k = 0; k < names.size(); ++k) {
-        exact_.emplace(names[k], k);
-        lower_.emplace(in_lower_case(names[k]), k);
+        const std::string_view name = without_root(names[k]);
+        exact_.emplace(name, k);
+        lower_.emplace(in_lower_case(name), k);
     }
 }
 
 std::optional<std::size_t> NameIndex::find(std::string_view name) const {
-    while (name.starts_with('/')) name.remove_prefix(1);
+    name = without_root(name);
     for (const std::string& candidate : {std::string(name), without_url_escapes(name)})
         if (const auto at = exact_.find(candidate); at != exact_.end()) return at->second;
     for (const std::string& candidate : {in_lower_case(name), in_lower_case(without_url_escapes(name))})

@@ -109,6 +109,16 @@ TEST(Model, IsFoundInsideAnArchiveWithItsMaterials) {
     }
 }
 
+TEST(Archive, ReadsEveryEntryThatItNamesWhateverItIsCalled) {
+    const auto files = open_archive(
+        archive({{"/rooted", "1"}, {"//a/./b.obj", "2"}, {"../up", "3"}, {"%41", "4"}, {"/", "5"}, {"a//b", "6"}}),
+        "test");
+    EXPECT_GE(files->names().size(), 5u);
+    for (const std::string& name : files->names()) EXPECT_TRUE(files->read(name).has_value()) << name;
+    EXPECT_EQ(files->read("rooted"), "1");
+    EXPECT_EQ(files->read("/ROOTED"), "1");
+}
+
 TEST(Model, MaterialsThatNoFileDefinesTakeTheColourOfTheirName) {
     const MemoryFiles files = {{"12",
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl dkgrey\nf 1 2 3\nusemtl "
