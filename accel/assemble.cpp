@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "accel/certificate.h"
+#include "accel/locate.h"
 #include "accel/locator.h"
 #include "accel/placement.h"
 #include "accel/scene_file.h"
@@ -56,6 +57,7 @@ public:
         view.section_x = {x_.data(), x_.size()};
         view.section_y = {y_.data(), y_.size()};
         locator_ = detail::build_locator(view);
+        lay_out_lights(view);
         return detail::parse_and_validate(make_image(executor), "", {.executor = &executor});
     }
 
@@ -265,6 +267,28 @@ private:
         objects_.push_back(object);
     }
 
+    /// Of a lamp the number that the file holds decides in which cell it hangs.
+    void lay_out_lights(SceneView view) {
+        view.section_tails = {tails_.data(), tails_.size()};
+        view.locator_nodes = {locator_.nodes.data(), locator_.nodes.size()};
+        view.locator_cells = {locator_.cells.data(), locator_.cells.size()};
+        for (const InputLight& from : input_.lights) {
+            Light light = {};
+            std::array<double, 3> place = {};
+            for (std::size_t k = 0; k < 3; ++k) {
+                light.position[k] = static_cast<float>(from.position[k]);
+                place[k] = double{light.position[k]};
+            }
+            light.radius = static_cast<float>(from.radius);
+            light.intensity = from.intensity;
+            light.cell = locate(view, place).value_or(none<CellId>);
+            light.carrier = from.carrier == UINT32_MAX ? none<ObjectId> : static_cast<ObjectId>(from.carrier);
+            light.id = text_.add(from.id);
+            light.name = text_.add(from.name);
+            lights_.push_back(light);
+        }
+    }
+
     template <class T>
     void add(SectionKind kind, const char* name, const std::vector<T>& elements) {
         arrays_.push_back(
@@ -301,6 +325,7 @@ private:
             add(CellObjectOffsets, "cell_object_off", cell_object_offsets_);
             add(CellObjects, "cell_objects", cell_objects_);
         }
+        if (!lights_.empty()) add(SectionKind::Lights, "lights", lights_);
         std::uint32_t id = static_cast<std::uint32_t>(FirstModel);
         for (const InputModelArray& array : input_.model) {
             if (array.name.empty() || array.name.size() > 15 || array.element_bytes == 0 ||
@@ -353,6 +378,7 @@ private:
     std::vector<PlacedObject> objects_;
     std::vector<std::uint32_t> cell_object_offsets_;
     std::vector<ObjectId> cell_objects_;
+    std::vector<Light> lights_;
     detail::Locator locator_;
     std::vector<SceneArray> arrays_;
 };

@@ -61,4 +61,7 @@ void check_each(const Executor& executor, std::size_t count, const IsSound& is_s
 /// The arrays of furniture: sizes first, the rest only where those fit.
 void validate_objects(const SceneView& view, const Executor& executor, DefectReport& report);
 
+/// Lamps: \pre objects were checked.
+void validate_lights(const SceneView& view, const Executor& executor, DefectReport& report);
+
 }  // namespace enfilade::accel::detail

@@ -25,6 +25,7 @@ enum class MaterialId : std::uint32_t {};
 enum class TextId : std::uint32_t {};
 enum class MeshId : std::uint32_t {};    ///< a mesh that objects share (the paper's clone)
 enum class ObjectId : std::uint32_t {};  ///< a mesh at its place
+enum class LightId : std::uint32_t {};   ///< a lamp
 
 enum class TargetKind : std::uint32_t { Solid, Clear, Virtual, Glass };
 
@@ -157,6 +158,18 @@ struct PlacedObject {
     std::uint32_t reserved;
 };
 
+/// A lamp: a point, or for tracers of soft shadows a ball, that shines alike in all directions.
+struct Light {
+    std::array<float, 3> position;   ///< metres, scene frame; on no grid
+    float radius;                    ///< metres; 0: a point
+    std::array<float, 3> intensity;  ///< candela by linear RGB
+    CellId cell;                     ///< that holds the position; none<CellId> where a solid does: it lights nothing
+    ObjectId carrier;                ///< the lamp that one sees: it throws no shadow of this light; or none<ObjectId>
+    TextId id;                       ///< its own: no other light has it
+    TextId name;
+    std::uint32_t reserved;
+};
+
 /// One box of the point locator, in depth-first order: a point outside it goes on at `skip`, inside it at the next
 /// node. Leaves hold `locator_cells[first .. first + count)`.
 struct LocatorNode {
@@ -196,6 +209,9 @@ struct SceneView {
     ArrayView<std::uint32_t> cell_object_offsets;  ///< [cell_count + 1] into `cell_objects`
     ArrayView<ObjectId> cell_objects;              ///< of each cell, ascending: whose box shares a place with it
 
+    // Empty in a scene without lamps.
+    ArrayView<Light> lights;  ///< by ascending id
+
     ENFILADE_HD bool has_objects() const { return objects.count != 0; }
     ENFILADE_HD std::size_t section_count() const { return section_x.size() - 1; }
     ENFILADE_HD std::size_t source_face_count() const { return source_faces.size() - 1; }
@@ -208,6 +224,7 @@ struct SceneView {
 static_assert(sizeof(Cell) == 32 && sizeof(SectionTail) == 4 && sizeof(SideFace) == 8 && sizeof(Portal) == 12);
 static_assert(sizeof(SourceFace) == 16 && sizeof(Material) == 16 && sizeof(Space) == 32 && sizeof(LocatorNode) == 32);
 static_assert(sizeof(ObjectMesh) == 48 && sizeof(MeshTriangle) == 16 && sizeof(PlacedObject) == 144);
+static_assert(sizeof(Light) == 48);
 static_assert(std::is_trivially_copyable_v<SceneView>);
 
 /// Which part of the file an array belongs to (1-architecture, decision 7 of the design).

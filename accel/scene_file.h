@@ -48,7 +48,7 @@ struct SectionEntry {
 };
 static_assert(sizeof(SectionEntry) == 96);
 
-/// Ids of the sections. 38-63 are kept for octrees, lights and their trees; from 1000 on the model's arrays.
+/// Ids of the sections. 39-63 are free; from 1000 on the model's arrays.
 enum class SectionKind : std::uint32_t {
     Cells = 1,
     CellPortals,
@@ -73,6 +73,7 @@ enum class SectionKind : std::uint32_t {
     Objects,
     CellObjectOffsets,
     CellObjects,
+    Lights,
     Certificate = 900,
     FirstModel = 1000
 };

@@ -137,6 +137,7 @@ private:
             case SectionKind::Objects: return bind_one(view.objects, array);
             case SectionKind::CellObjectOffsets: return bind_one(view.cell_object_offsets, array);
             case SectionKind::CellObjects: return bind_one(view.cell_objects, array);
+            case SectionKind::Lights: return bind_one(view.lights, array);
             default: return;  // a section of a later version: carried, not used
         }
     }

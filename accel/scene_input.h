@@ -92,6 +92,16 @@ struct InputObject {
     std::array<double, 12> scene_from_object{};  ///< rows of 3 x 4 numbers
 };
 
+/// A lamp. Its cell is looked for when the scene is assembled.
+struct InputLight {
+    std::string id;
+    std::string name;
+    std::array<double, 3> position = {0, 0, 0};  ///< metres, scene frame
+    double radius = 0;                           ///< metres
+    std::array<float, 3> intensity = {1, 1, 1};  ///< candela by linear RGB, not negative
+    std::uint32_t carrier = UINT32_MAX;          ///< into `objects`: throws no shadow of it; UINT32_MAX: none
+};
+
 /// An array that travels in the file for `modeler` and is opaque to `accel`.
 struct InputModelArray {
     std::string name;  ///< at most 15 characters
@@ -120,6 +130,7 @@ struct SceneInput {
     std::vector<std::shared_ptr<const InputMesh>> meshes;
     std::vector<InputObject> objects;                      ///< by ascending id
     std::vector<std::vector<std::uint32_t>> cell_objects;  ///< [cell count], each ascending; empty without objects
+    std::vector<InputLight> lights;                        ///< by ascending id
     std::vector<InputModelArray> model;                    ///< empty: a stripped scene
     InputCertificate certificate;
 };

@@ -26,6 +26,7 @@ public:
         check_locator();
         check_cell_ranges();
         detail::validate_objects(view_, executor_, report_);
+        detail::validate_lights(view_, executor_, report_);
         if (!report_.empty()) return report_.take();  // what follows relies on the ranges
         check_cells();
         if (report_.empty()) check_portals_seen();

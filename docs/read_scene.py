@@ -47,6 +47,8 @@ ELEMENTS = {
                 ("name", "<u4"), ("reserved", "<u4")],
     "cell_object_off": "<u4",
     "cell_objects": "<u4",
+    "lights": [("position", "<f4", 3), ("radius", "<f4"), ("intensity", "<f4", 3), ("cell", "<u4"), ("carrier", "<u4"),
+               ("id", "<u4"), ("name", "<u4"), ("reserved", "<u4")],
 }
 LABELS = ["room", "wall", "slab", "door", "window", "opening", "stair", "shaft", "object", "exterior", "ground",
           "outside"]

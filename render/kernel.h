@@ -6,6 +6,7 @@
 
 #include "accel/scene.h"
 #include "render/camera.h"
+#include "render/lamps.h"
 #include "render/look.h"
 #include "render/object_tracer.h"
 #include "render/trace_rays.h"
@@ -31,6 +32,7 @@ struct TileJob {
     RayStats* stats;              ///< nullptr: not counted
     bool is_double;               ///< walked in double precision, the same rays; the scalar loops alone do
     const ObjectTracer* objects;  ///< nullptr: rooms are seen bare
+    const Lamps* lamps;           ///< nullptr: a lamp at the eye lights what is seen
 };
 
 struct RayJob {

@@ -79,20 +79,21 @@ bool suits_blocks(const Job& job) {
     return job.stats == nullptr && (job.objects == nullptr || !job.scene->has_objects());
 }
 
+void look_tile(const detail::TileJob& job) {
+    traced(job, [&](const auto& rooms, auto& events) {
+        if (job.is_double) look_rows<double>(job, rooms, events);
+        else look_rows<float>(job, rooms, events);
+    });
+}
+
 void lambert_tile(const detail::TileJob& job) {
+    if (job.lamps != nullptr) return look_tile(job);
 #if ENFILADE_WIDE_SIDES
     if (suits_blocks(job) && !job.is_double) return lambert_blocks(job);
 #endif
     traced(job, [&](const auto& rooms, auto& events) {
         if (job.is_double) lambert_rows<double>(job, rooms, events);
         else lambert_rows<float>(job, rooms, events);
-    });
-}
-
-void look_tile(const detail::TileJob& job) {
-    traced(job, [&](const auto& rooms, auto& events) {
-        if (job.is_double) look_rows<double>(job, rooms, events);
-        else look_rows<float>(job, rooms, events);
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/framebuffer.h"
 #include "render/kernel.h"
+#include "render/lamp_light.h"
 #include "render/mirror.h"
 #include "render/rooms.h"
 #include "render/sampling.h"
@@ -34,14 +35,6 @@ struct LookTools {
     Events& events;
 };
 
-/// A place where light is gathered: on a face, or just off a triangle.
-template <class T>
-struct LitPlace {
-    Vec<T> point;
-    Vec3f normal;  ///< of length 1, on the light's side
-    std::uint32_t cell;
-};
-
 /// Whether a ray that ended so sees the sky, or at least nothing within its reach.
 template <class T>
 bool is_open(const accel::SceneView& scene, const WalkEnd<T>& end) {
@@ -70,7 +63,7 @@ float ambient_openness(const LookTools<Rooms, Events>& tools, const LitPlace<T>&
 template <class T, class Rooms, class Events>
 Vec3f sunlight(const LookTools<Rooms, Events>& tools, const LitPlace<T>& at) {
     const float cosine = dot(at.normal, tools.look.sun_direction);
-    if (!(cosine > 0)) return {0, 0, 0};
+    if (!(cosine > 0) || largest_part(tools.look.sun) == 0) return {0, 0, 0};
     Vec3f throughput = {1, 1, 1};
     const Ray<T> ray = make_ray_unchecked(at.point, vec_cast<T>(tools.look.sun_direction));
     const WalkEnd<T> end =
@@ -100,12 +93,20 @@ ENFILADE_HD Vec3f under_shoulder(const Look& look, Vec3f c) {
     return {under_shoulder(c.x, look.shoulder), under_shoulder(c.y, look.shoulder), under_shoulder(c.z, look.shoulder)};
 }
 
-/// The light of a surface of that colour. headlight: what the lamp at the camera adds.
+/// What lamps add to a white surface in the picture.
+template <class T, class Rooms, class Events>
+Vec3f lamp_light(const LookTools<Rooms, Events>& tools, const LitPlace<T>& at) {
+    constexpr float inverse_pi = 0.318309886f;
+    LampLight<Rooms, Events> light(tools.scene, *tools.job.lamps, tools.rooms, tools.events);
+    return inverse_pi * tools.job.lamps->exposure * light.at(at);
+}
+
+/// The light of a surface of that colour. headlight: what the lamp at the camera adds where there are no others.
 template <class T, class Rooms, class Events>
 Vec3f lit_colour(const LookTools<Rooms, Events>& tools, const LitPlace<T>& at, float headlight, Vec3f colour,
                  Sampler& sampler) {
-    const Vec3f light = ambient_openness(tools, at, sampler) * tools.look.ambient + sunlight(tools, at) +
-                        Vec3f{headlight, headlight, headlight};
+    const Vec3f near = tools.job.lamps != nullptr ? lamp_light(tools, at) : Vec3f{headlight, headlight, headlight};
+    const Vec3f light = ambient_openness(tools, at, sampler) * tools.look.ambient + sunlight(tools, at) + near;
     return under_shoulder(tools.look, light * colour);
 }
 

@@ -1,5 +1,6 @@
-// The loops over single rays, streams and segments. Included by kernel_loops.h alone, once for each instruction set: no
-// include guard is needed.
+#pragma once
+// The loops over single rays, streams and segments. Included by loops alone, which are compiled once for each
+// instruction set.
 
 #include "render/kernel.h"
 #include "render/rooms.h"
@@ -89,9 +90,11 @@ void trace_stream(const detail::StreamJob& job, const Rooms& rooms, Events& even
 /// either direction. Where q lies on a wall and its cell is not known, rounding decides, as everywhere within
 /// `error_band`. Outside that band the answer is the same for q and p exchanged. Points that are none (NaN, infinite)
 /// see nothing, not even themselves.
+///
+/// throughput: multiplied by the tints of the glass between.
 template <class Rooms, class Events>
-bool sees(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
-          std::uint32_t to_cell, Events& events) {
+bool sees_through(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
+                  std::uint32_t to_cell, Vec3f& throughput, Events& events) {
     if (!is_place(p) || !is_place(q)) return false;
     if (cell == to_cell && !Rooms::are_furnished) return true;
     Ray<float> ray;
@@ -106,9 +109,15 @@ bool sees(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, s
             return !meets_objects<ObjectsAsked::Any>(scene, rooms.objects, ray, scene_slabs(ray), cell, part.near,
                                                      part.far, hit);
     }
-    Vec3f throughput = {1, 1, 1};
     return rooms.look_for_any(scene, ray, cell, ToPoint<float>{t, to_cell}, part, throughput, events).status ==
            WalkStatus::Reached;
+}
+
+template <class Rooms, class Events>
+bool sees(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
+          std::uint32_t to_cell, Events& events) {
+    Vec3f throughput = {1, 1, 1};
+    return sees_through(scene, rooms, p, q, cell, to_cell, throughput, events);
 }
 
 template <class Rooms, class Events>

@@ -49,10 +49,20 @@ void validate(const TraceOptions& options) {
 }
 
 /// Lambert's loop of a tracer; the scalar one where there are no lanes.
-auto lambert_kernel(Tracer tracer) {
+auto lambert_kernel(Tracer tracer, bool is_lit) {
     const detail::LaneKernels* lanes = detail::lane_kernels();
-    if (tracer == Tracer::Scalar || lanes == nullptr) return detail::kernels().lambert_tile;
+    if (tracer == Tracer::Scalar || lanes == nullptr || is_lit) return detail::kernels().lambert_tile;
     return tracer == Tracer::Simd ? lanes->simd_tile : lanes->packet_tile;
+}
+
+/// own: holds the trees where the caller brings none.
+Lamps prepared(const accel::SceneView& scene, const LampOptions& options, const accel::Executor& executor,
+               accel::LightTrees& own) {
+    const bool needs_trees = options.search != LampSearch::Naive;
+    if (needs_trees && options.trees == nullptr)
+        own = accel::build_light_trees(scene, {.trees = options.search == LampSearch::Tree}, executor);
+    const accel::LightTrees& trees = options.trees != nullptr ? *options.trees : own;
+    return {trees.view(), options.search, options.exposure};
 }
 
 }  // namespace
@@ -88,20 +98,27 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
         objects = options.objects != nullptr ? *options.objects : own_accel->tracer();
         job.objects = &objects;
     }
+    accel::LightTrees own_trees;
+    Lamps lamps;
+    if (options.lamps) {
+        lamps = prepared(scene, *options.lamps, executor, own_trees);
+        job.lamps = &lamps;
+    }
     const bool is_plain = options.shading == Shading::Lambert && !job.is_cut && job.samples_a_side == 1;
     Look plain_look;
-    if (options.shading == Shading::Lambert && !is_plain) {
+    if (options.shading == Shading::Lambert && (!is_plain || job.lamps != nullptr)) {
         plain_look = lambert_look(options.look);
         job.look = &plain_look;
     }
-    run_tiles(executor, camera, job, is_plain ? lambert_kernel(options.tracer) : detail::kernels().look_tile,
+    run_tiles(executor, camera, job,
+              is_plain ? lambert_kernel(options.tracer, job.lamps != nullptr) : detail::kernels().look_tile,
               options.stats);
     return image;
 }
 
 void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, accel::CellId start,
                    const LambertOptions& options, const accel::Executor& executor, Framebuffer& framebuffer) {
-    const Look look;
+    const Look look = lambert_look({});
     detail::TileJob job = {};
     job.scene = &scene;
     job.camera = &frame;
@@ -113,7 +130,8 @@ void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, acce
     job.start_cell = static_cast<std::uint32_t>(start);
     job.mirror_floor = options.mirror_floor;
     job.packets = options.packets;
-    run_tiles(executor, framebuffer, job, lambert_kernel(options.tracer), options.stats);
+    job.lamps = options.lamps;
+    run_tiles(executor, framebuffer, job, lambert_kernel(options.tracer, options.lamps != nullptr), options.stats);
 }
 
 }  // namespace enfilade::render

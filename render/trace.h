@@ -8,6 +8,7 @@
 #include "render/camera.h"
 #include "render/framebuffer.h"
 #include "render/image.h"
+#include "render/lamps.h"
 #include "render/look.h"
 #include "render/object_tracer.h"
 #include "render/trace_rays.h"
@@ -17,8 +18,15 @@
 namespace enfilade::render {
 
 enum class Shading {
-    Lambert,  ///< one lamp at the eye: what benchmarks compare
+    Lambert,  ///< the lamps alone, or one at the eye: what benchmarks compare
     Look      ///< sun, sky, and corners that darken
+};
+
+/// Light from the scene's lamps (SceneView::lights), instead of one at the eye.
+struct LampOptions {
+    LampSearch search = LampSearch::Tree;
+    float exposure = 1;                        ///< what a white surface in a light of pi lux becomes in the picture
+    const accel::LightTrees* trees = nullptr;  ///< of Pvs and Tree; nullptr: built for this picture
 };
 
 struct TraceOptions {
@@ -28,6 +36,7 @@ struct TraceOptions {
     Shading shading = Shading::Look;
     int samples_per_pixel = 1;  ///< rounded up to a square number, evenly spread; 4 and more for pictures
     Look look;
+    std::optional<LampOptions> lamps;           ///< nothing: a lamp at the eye. With Shading::Look besides sun and sky
     float mirror_floor = 0;                     ///< share of their light that floors reflect as mirrors do, 0 to 1
     std::optional<accel::CellId> start;         ///< the cell that holds the eye, where it is known; else looked for
     std::optional<double> cut_z;                ///< dollhouse: whatever lies above this height (metres) is not seen
@@ -46,6 +55,7 @@ struct LambertOptions {
     PacketSizes packets;
     float mirror_floor = 0;
     const ObjectTracer* objects = nullptr;  ///< nullptr: rooms are seen without what stands in them
+    const Lamps* lamps = nullptr;           ///< nullptr: a lamp at the eye
     RayStats* stats = nullptr;
 };
 

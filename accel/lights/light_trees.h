@@ -1,0 +1,83 @@
+#pragma once
+// Which lamps each cell may see (PVS), and by which ways their light comes there (light trees): Maria, Horna, Aveneau
+// 2013, section 5.2; README.md of this folder.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "accel/parallel_for.h"
+#include "accel/scene.h"
+
+namespace enfilade::accel {
+
+/// A plane through a lamp. A place p lies on its inner side where normal . (p - lamp) >= 0; of any length but 0.
+struct BeamPlane {
+    float x, y, z;
+};
+
+/// A node of a light tree: one way of a lamp's light into a cell, through the portals that it has crossed. Beams of one
+/// lamp lie together, in depth-first order.
+struct LightBeam {
+    std::uint32_t first_plane;  ///< what bounds it in its cell; its planes end where the next beam's begin
+    std::uint32_t parent;       ///< the beam that it continues; its own number at the lamp
+    CellId cell;                ///< to which it gets
+    std::uint32_t tint;         ///< into `tints`: what the glass on its way lets pass; 0: all
+};
+
+inline constexpr std::uint32_t no_beam = 0xffffffffu;
+
+/// A lamp that a cell may see. Light that comes into the cell by several ways has several.
+struct CellLight {
+    LightId light;
+    std::uint32_t beam;  ///< no_beam: the lamp has no tree, whether it is seen takes a walk
+};
+
+/// Everything that a tracer asks, as plain pointers, for host and device. A place in cell c sees lamp l if one of c's
+/// beams of l holds it: if it lies on the inner side of all of that beam's planes (and nothing stands between: objects
+/// are asked in the cells of the beam and its parents). No two beams of one lamp share more than a border in a cell.
+struct LightTreesView {
+    ArrayView<std::uint32_t> cell_offsets;  ///< [cell_count + 1] into `cell_lights`
+    ArrayView<CellLight> cell_lights;       ///< of each cell, by ascending light, then beam
+    ArrayView<LightBeam> beams;             ///< [beam_count + 1], the last one closes the planes
+    ArrayView<BeamPlane> planes;
+    ArrayView<Vertex> tints;  ///< linear RGB; the first one is (1, 1, 1)
+};
+
+static_assert(sizeof(LightBeam) == 16 && sizeof(CellLight) == 8 && sizeof(BeamPlane) == 12);
+
+struct LightTreeOptions {
+    bool trees = true;  ///< false: which lamps a cell may see, and no more
+    bool through_glass = true;
+    /// Grid units by which light may miss a portal's edge and still be followed; nothing: what a walk in float may.
+    std::optional<std::int64_t> margin = std::nullopt;
+    /// Lamps whose light takes more ways than this have no tree.
+    std::uint32_t most_beams = 1u << 16;
+};
+
+/// Owns the arrays. Movable; views stay valid while it lives.
+class LightTrees {
+public:
+    [[nodiscard]] LightTreesView view() const;
+    [[nodiscard]] std::size_t bytes() const;
+    /// Lamps that have none, because their light takes too many ways.
+    [[nodiscard]] std::size_t lamps_without_tree() const { return without_tree_; }
+
+private:
+    friend LightTrees build_light_trees(const SceneView&, const LightTreeOptions&, const Executor&);
+
+    std::vector<std::uint32_t> cell_offsets_;
+    std::vector<CellLight> cell_lights_;
+    std::vector<LightBeam> beams_;
+    std::vector<BeamPlane> planes_;
+    std::vector<Vertex> tints_;
+    std::size_t without_tree_ = 0;
+};
+
+/// Follows the light of each of the view's lamps through its portals. Conservative: no lamp that a ray reaches is
+/// missing in a cell's list. The same on any number of threads. Cost: linear in what the lamps see. \pre the view is
+/// sound; lamps without a cell light nothing
+[[nodiscard]] LightTrees build_light_trees(const SceneView& view, const LightTreeOptions& options,
+                                           const Executor& executor);
+
+}  // namespace enfilade::accel
