@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -22,6 +23,7 @@ static_assert(offsetof(ObjectRay, flags) == offsetof(RTCRayHit, ray.flags));
 static_assert(offsetof(ObjectRay, normal_x) == offsetof(RTCRayHit, hit.Ng_x));
 static_assert(offsetof(ObjectRay, triangle) == offsetof(RTCRayHit, hit.primID));
 static_assert(offsetof(ObjectRay, instance) == offsetof(RTCRayHit, hit.instID));
+static_assert(offsetof(ObjectRays, far) == offsetof(RTCRay16, tfar));
 static_assert(sizeof(ObjectRays) == sizeof(RTCRayHit16) && alignof(ObjectRays) >= alignof(RTCRayHit16));
 static_assert(offsetof(ObjectRays, near) == offsetof(RTCRayHit16, ray.tnear));
 static_assert(offsetof(ObjectRays, far) == offsetof(RTCRayHit16, ray.tfar));
@@ -76,6 +78,18 @@ bool blocked(const void* state, accel::MeshId mesh, const ObjectRay& ray) {
     return asked.tfar < 0;
 }
 
+/// Those that Embree calls occluded: `far` is -infinity then. Rays without a part that counts are never.
+std::uint32_t blocked16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    const RTCScene scene = scene_of(state, mesh);
+    if (scene == nullptr) return 0;
+    RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    rtcOccluded16(valid, scene, &context, reinterpret_cast<RTCRay16*>(&rays));
+    std::uint32_t bits = 0;
+    for (int i = 0; i < ObjectRays::count; ++i)
+        bits |= (valid[i] != 0 && rays.far[i] == -std::numeric_limits<float>::infinity() ? 1u : 0u) << i;
+    return bits;
+}
+
 class EmbreeObjects final : public ObjectAccel {
 public:
     explicit EmbreeObjects(std::size_t mesh_count) : device_(rtcNewDevice(nullptr)), scenes_(mesh_count, nullptr) {
@@ -92,8 +106,12 @@ public:
     EmbreeObjects& operator=(const EmbreeObjects&) = delete;
 
     [[nodiscard]] ObjectTracer tracer() const override {
-        return {scenes_.data(), &nearest, &nearest16<RTC_INTERSECT_CONTEXT_FLAG_COHERENT>,
-                &nearest16<RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT>, &blocked};
+        return {scenes_.data(),
+                &nearest,
+                &nearest16<RTC_INTERSECT_CONTEXT_FLAG_COHERENT>,
+                &nearest16<RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT>,
+                &blocked,
+                &blocked16};
     }
     [[nodiscard]] std::string_view name() const override { return "embree"; }
     [[nodiscard]] std::size_t bytes() const override {

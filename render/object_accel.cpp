@@ -26,6 +26,11 @@ void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid,
     one_by_one(valid, rays, [&](ObjectRay& ray) { return bvh_walk<false>(bvh, ray); });
 }
 
+std::uint32_t blocked16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    const BvhView& bvh = static_cast<const BvhView*>(state)[static_cast<std::uint32_t>(mesh)];
+    return blocked_one_by_one(valid, rays, [&](ObjectRay& ray) { return bvh_walk<true>(bvh, ray); });
+}
+
 class PlainObjects final : public ObjectAccel {
 public:
     PlainObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::Executor& executor)
@@ -37,7 +42,7 @@ public:
     }
 
     [[nodiscard]] ObjectTracer tracer() const override {
-        return {views_.data(), &nearest, &nearest16, &nearest16, &blocked};
+        return {views_.data(), &nearest, &nearest16, &nearest16, &blocked, &blocked16};
     }
     [[nodiscard]] std::string_view name() const override { return "plain"; }
     [[nodiscard]] std::size_t bytes() const override {

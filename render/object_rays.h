@@ -48,4 +48,18 @@ void one_by_one(const std::int32_t* valid, ObjectRays& rays, const Nearest& near
     }
 }
 
+/// For each of those whose `valid` is -1: blocked(ray). Bit i is set where ray i is. valid: [16]
+template <class Blocked>
+[[nodiscard]] std::uint32_t blocked_one_by_one(const std::int32_t* valid, const ObjectRays& rays,
+                                               const Blocked& blocked) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < ObjectRays::count; ++i) {
+        if (valid[i] == 0) continue;
+        ObjectRay ray = ray_of(rays, i);
+        ray.triangle = no_triangle;
+        bits |= (blocked(ray) ? 1u : 0u) << i;
+    }
+    return bits;
+}
+
 }  // namespace enfilade::render

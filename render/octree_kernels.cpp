@@ -21,10 +21,14 @@ void nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectR
     one_by_one(valid, rays, [&](ObjectRay& ray) { return nearest(tree, ray); });
 }
 
+std::uint32_t blocked16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
+    return blocked_one_by_one(valid, rays, [&](ObjectRay& ray) { return blocked(tree, ray); });
+}
+
 }  // namespace
 
 const OctreeKernels& octree_kernels() {
-    static constexpr OctreeKernels kernels = {"any", nearest, blocked, nearest16, nearest16};
+    static constexpr OctreeKernels kernels = {"any", nearest, blocked, nearest16, nearest16, blocked16};
     return kernels;
 }
 

@@ -15,6 +15,7 @@ struct OctreeKernels {
     bool (*blocked)(const accel::OctreeView& tree, const ObjectRay& ray);
     void (*nearest16)(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays);
     void (*nearest16_apart)(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays);
+    std::uint32_t (*blocked16)(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays);
 };
 
 /// Those for the machine that runs, of what Highway finds there; nullptr in a build without Highway, and where

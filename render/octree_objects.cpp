@@ -40,6 +40,11 @@ void nearest16_apart(const void* given, accel::MeshId mesh, const std::int32_t* 
     state.kernels->nearest16_apart(tree_of(state, mesh), valid, rays);
 }
 
+std::uint32_t blocked16(const void* given, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    const auto& state = *static_cast<const State*>(given);
+    return state.kernels->blocked16(tree_of(state, mesh), valid, rays);
+}
+
 class OctreeObjects final : public ObjectAccel, public OctreeCounter {
 public:
     OctreeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
@@ -57,7 +62,7 @@ public:
     }
 
     [[nodiscard]] ObjectTracer tracer() const override {
-        return {&state_, &nearest, &nearest16, &nearest16_apart, &blocked};
+        return {&state_, &nearest, &nearest16, &nearest16_apart, &blocked, &blocked16};
     }
     [[nodiscard]] std::string_view name() const override { return "octree"; }
     [[nodiscard]] std::size_t bytes() const override {

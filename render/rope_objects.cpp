@@ -33,6 +33,13 @@ void nearest16(const void* state, accel::MeshId mesh, const std::int32_t* valid,
     one_by_one(valid, rays, [&](ObjectRay& ray) { return rope_walk<T, false>(tree_of(state, mesh), ray, events); });
 }
 
+template <class T>
+std::uint32_t blocked16(const void* state, accel::MeshId mesh, const std::int32_t* valid, ObjectRays& rays) {
+    NoRopeEvents events;
+    return blocked_one_by_one(valid, rays,
+                              [&](ObjectRay& ray) { return rope_walk<T, true>(tree_of(state, mesh), ray, events); });
+}
+
 /// The walk's events: leaves and blocks, without what befell it.
 struct CountedRopes : NoRopeEvents {
     OctreeWork& work;
@@ -80,7 +87,7 @@ public:
 private:
     template <class T>
     [[nodiscard]] ObjectTracer tracer_in() const {
-        return {views_.data(), &nearest<T>, &nearest16<T>, &nearest16<T>, &blocked<T>};
+        return {views_.data(), &nearest<T>, &nearest16<T>, &nearest16<T>, &blocked<T>, &blocked16<T>};
     }
 
     std::vector<accel::RopeOctree> trees_;

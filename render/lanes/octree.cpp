@@ -46,8 +46,9 @@ namespace enfilade::render {
 namespace HWY_NAMESPACE {
 
 const detail::OctreeKernels* octree_kernel_set() {
-    static const detail::OctreeKernels kernels = {hwy::TargetName(HWY_TARGET), octree_nearest, octree_blocked,
-                                                  octree_nearest16, octree_nearest16_apart};
+    static const detail::OctreeKernels kernels = {
+        hwy::TargetName(HWY_TARGET), octree_nearest,  octree_blocked, octree_nearest16,
+        octree_nearest16_apart,      octree_blocked16};
     return &kernels;
 }
 

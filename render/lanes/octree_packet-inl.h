@@ -254,6 +254,10 @@ void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, 
     write_hits(tree, some, asked, rays);
 }
 
+std::uint32_t octree_blocked16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
+    return blocked_one_by_one(valid, rays, [&](const ObjectRay& ray) { return octree_blocked(tree, ray); });
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace enfilade::render
 HWY_AFTER_NAMESPACE();

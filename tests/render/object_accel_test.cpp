@@ -124,6 +124,59 @@ TEST_P(ObjectAccelTest, AnswersSixteenAsOne) {
     EXPECT_GT(hits, 400);
 }
 
+/// By columns, as asked whether they are blocked.
+ObjectRays columns_of(const std::array<ObjectRay, 16>& rays) {
+    ObjectRays columns = {};
+    for (int i = 0; i < 16; ++i) {
+        const ObjectRay& ray = rays[static_cast<std::size_t>(i)];
+        columns.origin_x[i] = ray.origin_x;
+        columns.origin_y[i] = ray.origin_y;
+        columns.origin_z[i] = ray.origin_z;
+        columns.near[i] = ray.near;
+        columns.direction_x[i] = ray.direction_x;
+        columns.direction_y[i] = ray.direction_y;
+        columns.direction_z[i] = ray.direction_z;
+        columns.far[i] = ray.far;
+        columns.mask[i] = ~0u;
+    }
+    return columns;
+}
+
+TEST_P(ObjectAccelTest, SaysOfSixteenWhichAreBlocked) {
+    const accel::Scene scene = test::room_of_meshes({test::ball_mesh(20, 1), test::random_soup(200, 0.3f, 1)});
+    const auto built = build(scene);
+    const ObjectTracer tracer = built->tracer();
+    RandomNumbers numbers(9);
+    int blocked = 0, free = 0, wrong = 0;
+    for (int block = 0; block < 400; ++block) {
+        const auto mesh = static_cast<MeshId>(block % 2);
+        std::array<ObjectRay, 16> alone;
+        alignas(64) std::array<std::int32_t, 16> valid{};
+        const Vec3d to = numbers.point(0.8);
+        for (int i = 0; i < 16; ++i) {
+            // Neighbours of a lamp, strangers, and some whose part ends early, or never begins.
+            const Vec3d from = block % 3 == 0 ? numbers.point(2) : Vec3d{1.5, 1, 0.5} + numbers.point(0.2);
+            ObjectRay& ray = alone[static_cast<std::size_t>(i)];
+            ray = object_ray(from, to - from, 0.125f, 1);
+            if (i % 7 == 2) ray.far = 0.25f;
+            if (i % 7 == 5) ray.far = 0.0625f;
+            valid[static_cast<std::size_t>(i)] = i % 5 == 3 ? 0 : -1;
+        }
+        ObjectRays rays = columns_of(alone);
+        const std::uint32_t bits = tracer.blocked16(tracer.state, mesh, valid.data(), rays);
+        EXPECT_EQ(bits >> 16, 0u);
+        for (int i = 0; i < 16; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            const bool is_blocked = valid[at] != 0 && tracer.blocked(tracer.state, mesh, alone[at]);
+            wrong += is_blocked != ((bits >> i & 1u) != 0);
+            (is_blocked ? blocked : free) += 1;
+        }
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(blocked, 1000);
+    EXPECT_GT(free, 1000);
+}
+
 TEST_P(ObjectAccelTest, KeepsToTheInterval) {
     const accel::Scene scene = test::room_of_meshes({test::box_mesh({-1, -1, -1}, {1, 1, 1})});
     const auto built = build(scene);
