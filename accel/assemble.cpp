@@ -7,6 +7,7 @@
 #include "accel/certificate.h"
 #include "accel/locate.h"
 #include "accel/locator.h"
+#include "accel/look_arrays.h"
 #include "accel/placement.h"
 #include "accel/scene_file.h"
 #include "accel/scene_image.h"
@@ -52,6 +53,7 @@ public:
         lay_out_source_faces();
         lay_out_names();
         lay_out_objects();
+        looks_ = detail::lay_out_looks(input_, [&](const std::string& text) { return text_.add(text); });
         SceneView view;
         view.cells = {cells_.data(), cells_.size()};
         view.section_x = {x_.data(), x_.size()};
@@ -235,7 +237,7 @@ private:
                            {INFINITY, INFINITY, INFINITY},
                            {-INFINITY, -INFINITY, -INFINITY},
                            text_.add(from.name),
-                           0};
+                           lay_out_texcoords(from, i)};
         for (const std::array<float, 3>& v : from.vertices) {
             for (std::size_t k = 0; k < 3; ++k) {
                 mesh.low[k] = std::min(mesh.low[k], v[k]);
@@ -246,6 +248,18 @@ private:
         for (std::size_t t = 0; t < from.triangles.size(); ++t)
             mesh_triangles_.push_back({from.triangles[t], static_cast<MaterialId>(from.triangle_materials[t])});
         meshes_.push_back(mesh);
+    }
+
+    /// ObjectMesh::texcoords of a mesh.
+    std::uint32_t lay_out_texcoords(const InputMesh& from, std::size_t i) {
+        if (from.texcoords.empty()) return 0;
+        if (from.texcoords.size() != 3 * from.triangles.size() ||
+            mesh_texcoords_.size() + from.texcoords.size() >= UINT32_MAX)
+            refuse("F10", at("mesh", i) + " has triangles without texture coordinates, or too many of them");
+        const auto first = static_cast<std::uint32_t>(mesh_texcoords_.size());
+        for (const std::array<float, 2>& at_corner : from.texcoords)
+            mesh_texcoords_.push_back({at_corner[0], at_corner[1]});
+        return first + 1;
     }
 
     void lay_out_object(std::size_t i) {
@@ -326,6 +340,13 @@ private:
             add(CellObjects, "cell_objects", cell_objects_);
         }
         if (!lights_.empty()) add(SectionKind::Lights, "lights", lights_);
+        if (!looks_.material_looks.empty()) add(MaterialLooks, "material_looks", looks_.material_looks);
+        if (!looks_.textures.empty()) {
+            add(Textures, "textures", looks_.textures);
+            add(Texels, "texels", looks_.texels);
+        }
+        if (!mesh_texcoords_.empty()) add(MeshTexCoords, "mesh_texcoords", mesh_texcoords_);
+        if (!looks_.face_frames.empty()) add(FaceFrames, "face_frames", looks_.face_frames);
         std::uint32_t id = static_cast<std::uint32_t>(FirstModel);
         for (const InputModelArray& array : input_.model) {
             if (array.name.empty() || array.name.size() > 15 || array.element_bytes == 0 ||
@@ -379,6 +400,8 @@ private:
     std::vector<std::uint32_t> cell_object_offsets_;
     std::vector<ObjectId> cell_objects_;
     std::vector<Light> lights_;
+    std::vector<TexCoord> mesh_texcoords_;
+    detail::LookArrays looks_;
     detail::Locator locator_;
     std::vector<SceneArray> arrays_;
 };

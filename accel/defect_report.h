@@ -61,6 +61,9 @@ void check_each(const Executor& executor, std::size_t count, const IsSound& is_s
 /// The arrays of furniture: sizes first, the rest only where those fit.
 void validate_objects(const SceneView& view, const Executor& executor, DefectReport& report);
 
+/// What materials do besides their colours, and textures: \pre objects and tables were checked.
+void validate_looks(const SceneView& view, const Executor& executor, DefectReport& report);
+
 /// Lamps: \pre objects were checked.
 void validate_lights(const SceneView& view, const Executor& executor, DefectReport& report);
 

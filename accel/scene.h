@@ -26,6 +26,7 @@ enum class TextId : std::uint32_t {};
 enum class MeshId : std::uint32_t {};    ///< a mesh that objects share (the paper's clone)
 enum class ObjectId : std::uint32_t {};  ///< a mesh at its place
 enum class LightId : std::uint32_t {};   ///< a lamp
+enum class TextureId : std::uint32_t {};
 
 enum class TargetKind : std::uint32_t { Solid, Clear, Virtual, Glass };
 
@@ -129,7 +130,7 @@ struct ObjectMesh {
     std::array<float, 3> low;  ///< of its vertices; low > high where it has none
     std::array<float, 3> high;
     TextId name;
-    std::uint32_t reserved;
+    std::uint32_t texcoords;  ///< 0: it has none; else 1 + the first of its 3 * triangle_count in `mesh_texcoords`
 };
 
 /// Corners count from the mesh's first vertex. Both sides are seen.
@@ -168,6 +169,44 @@ struct Light {
     TextId id;                       ///< its own: no other light has it
     TextId name;
     std::uint32_t reserved;
+};
+
+/// What light does at a material besides being scattered in its colour. `mirror` and the largest part of `through`
+/// are 1 or less together; the rest shows the colour.
+struct MaterialLook {
+    float mirror;                  ///< share of the light that is reflected as by a mirror
+    std::array<float, 3> through;  ///< what goes straight through, linear RGB; 0: none
+    TextureId texture;             ///< its texels are the colour; none<TextureId>: the material's own
+    /// Rows of 2 x 3 numbers: (u, v, 1) -> repeats of the texture to the right and downward from its upper left corner.
+    /// On faces u and v are metres (FaceFrame), on triangles what `mesh_texcoords` say.
+    std::array<float, 6> texture_from_face;
+    std::uint32_t reserved;
+};
+
+/// A picture that repeats in both directions: levels from the largest on, each half as wide and high as the one before
+/// (rounded down, 1 at least), row by row from the top, in `texels` one after the other.
+struct Texture {
+    std::uint32_t first_texel;
+    std::uint16_t width;
+    std::uint16_t height;
+    std::uint32_t level_count;  ///< down to the level of one texel
+    TextId name;                ///< of the picture
+};
+
+/// sRGB (IEC 61966-2-1); alpha is linear: what it lacks to 255 is seen through.
+struct Texel {
+    std::uint8_t r, g, b, a;
+};
+
+struct TexCoord {
+    float u, v;
+};
+
+/// How textures lie on a source face, so that they go on from face to face. u = x_u x + y_u y + u_0 (metres, to the
+/// right as one looks at a wall); v is z + v_0 on walls (up), -y_u x + x_u y + v_0 on floors and ceilings.
+struct FaceFrame {
+    float x_u, y_u;  ///< of length 1
+    float u_0, v_0;
 };
 
 /// One box of the point locator, in depth-first order: a point outside it goes on at `skip`, inside it at the next
@@ -212,7 +251,15 @@ struct SceneView {
     // Empty in a scene without lamps.
     ArrayView<Light> lights;  ///< by ascending id
 
+    // Empty in a scene whose materials are all plain colours.
+    ArrayView<MaterialLook> material_looks;  ///< [material_count]
+    ArrayView<Texture> textures;
+    ArrayView<Texel> texels;
+    ArrayView<TexCoord> mesh_texcoords;  ///< of the triangles of meshes that have them, corner by corner
+    ArrayView<FaceFrame> face_frames;    ///< [source_face_count], or empty where no face has a texture
+
     ENFILADE_HD bool has_objects() const { return objects.count != 0; }
+    ENFILADE_HD bool has_looks() const { return material_looks.count != 0; }
     ENFILADE_HD std::size_t section_count() const { return section_x.size() - 1; }
     ENFILADE_HD std::size_t source_face_count() const { return source_faces.size() - 1; }
     [[nodiscard]] std::string_view string(TextId id) const {
@@ -225,6 +272,8 @@ static_assert(sizeof(Cell) == 32 && sizeof(SectionTail) == 4 && sizeof(SideFace)
 static_assert(sizeof(SourceFace) == 16 && sizeof(Material) == 16 && sizeof(Space) == 32 && sizeof(LocatorNode) == 32);
 static_assert(sizeof(ObjectMesh) == 48 && sizeof(MeshTriangle) == 16 && sizeof(PlacedObject) == 144);
 static_assert(sizeof(Light) == 48);
+static_assert(sizeof(MaterialLook) == 48 && sizeof(Texture) == 16 && sizeof(Texel) == 4 && sizeof(TexCoord) == 8);
+static_assert(sizeof(FaceFrame) == 16);
 static_assert(std::is_trivially_copyable_v<SceneView>);
 
 /// Which part of the file an array belongs to (1-architecture, decision 7 of the design).

@@ -48,7 +48,7 @@ struct SectionEntry {
 };
 static_assert(sizeof(SectionEntry) == 96);
 
-/// Ids of the sections. 39-63 are free; from 1000 on the model's arrays.
+/// Ids of the sections. 44-63 are free; from 1000 on the model's arrays.
 enum class SectionKind : std::uint32_t {
     Cells = 1,
     CellPortals,
@@ -74,6 +74,11 @@ enum class SectionKind : std::uint32_t {
     CellObjectOffsets,
     CellObjects,
     Lights,
+    MaterialLooks,
+    Textures,
+    Texels,
+    MeshTexCoords,
+    FaceFrames,
     Certificate = 900,
     FirstModel = 1000
 };

@@ -138,6 +138,11 @@ private:
             case SectionKind::CellObjectOffsets: return bind_one(view.cell_object_offsets, array);
             case SectionKind::CellObjects: return bind_one(view.cell_objects, array);
             case SectionKind::Lights: return bind_one(view.lights, array);
+            case SectionKind::MaterialLooks: return bind_one(view.material_looks, array);
+            case SectionKind::Textures: return bind_one(view.textures, array);
+            case SectionKind::Texels: return bind_one(view.texels, array);
+            case SectionKind::MeshTexCoords: return bind_one(view.mesh_texcoords, array);
+            case SectionKind::FaceFrames: return bind_one(view.face_frames, array);
             default: return;  // a section of a later version: carried, not used
         }
     }

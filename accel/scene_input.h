@@ -57,11 +57,33 @@ struct InputSourceFace {
     std::uint32_t space = 0;         ///< the space that sees it
     std::uint32_t material = 0;      ///< into `materials`
     std::uint32_t first_vertex = 0;  ///< into `vertices`; ends where the next face's begin
+    /// How textures lie on it: x_u, y_u, u_0, v_0 (accel/scene.h, FaceFrame); metres of the scene's frame.
+    std::array<float, 4> frame = {1, 0, 0, 0};
+};
+
+/// A picture with all its levels (accel/texture_chain.h makes them).
+struct InputTexture {
+    std::string name;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t level_count = 0;
+    std::vector<std::array<std::uint8_t, 4>> texels;  ///< of all levels, the largest first: sRGB and alpha
+};
+
+/// What a material is besides its colour (accel/scene.h, MaterialLook).
+struct InputLook {
+    float mirror = 0;
+    std::array<float, 3> through = {0, 0, 0};
+    std::uint32_t texture = UINT32_MAX;  ///< into `textures`; UINT32_MAX: none
+    std::array<float, 6> texture_from_face = {1, 0, 0, 0, -1, 0};
+    friend bool operator==(const InputLook&, const InputLook&) = default;
+    friend auto operator<=>(const InputLook&, const InputLook&) = default;
 };
 
 struct InputMaterial {
     std::string name;
-    std::array<float, 3> colour = {0.8f, 0.8f, 0.8f};  ///< diffuse reflectance, linear RGB
+    std::array<float, 3> colour = {0.8f, 0.8f, 0.8f};  ///< diffuse reflectance, linear RGB; under a texture its mean
+    InputLook look = {};
 };
 
 /// A room, door, ... as people know it: its cells are pieces of it.
@@ -80,6 +102,7 @@ struct InputMesh {
     std::vector<std::array<float, 3>> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> triangle_materials;  ///< [triangle count] into SceneInput::materials
+    std::vector<std::array<float, 2>> texcoords;    ///< [3 * triangle count], or empty: u to the right, v up, repeats
 };
 
 /// A mesh at its place.
@@ -126,6 +149,7 @@ struct SceneInput {
     std::vector<InputSourceFace> source_faces;
     std::vector<std::array<std::int32_t, 3>> vertices;  ///< of source faces, grid units
     std::vector<InputMaterial> materials;
+    std::vector<std::shared_ptr<const InputTexture>> textures;
     std::vector<InputSpace> spaces;
     std::vector<std::shared_ptr<const InputMesh>> meshes;
     std::vector<InputObject> objects;                      ///< by ascending id

@@ -45,6 +45,9 @@ SceneStats stats(const Scene& scene) {
     s.listed_objects = view.cell_objects.size();
     s.object_bytes = bytes(view.objects) + bytes(view.cell_object_offsets) + bytes(view.cell_objects);
     s.mesh_bytes = bytes(view.meshes) + bytes(view.mesh_vertices) + bytes(view.mesh_triangles);
+    s.textures = view.textures.size();
+    s.texture_bytes = bytes(view.material_looks) + bytes(view.textures) + bytes(view.texels) +
+                      bytes(view.mesh_texcoords) + bytes(view.face_frames);
     for (const SceneArray& array : scene.arrays()) {
         if (array.group == Group::Trace) s.trace_bytes += array.bytes.size();
         if (array.group == Group::Model) s.model_bytes += array.bytes.size();

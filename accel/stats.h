@@ -30,6 +30,8 @@ struct SceneStats {
     std::uint64_t listed_objects = 0;       ///< entries of the cells' lists
     std::uint64_t object_bytes = 0;         ///< of the trace group: objects and the cells' lists
     std::uint64_t mesh_bytes = 0;           ///< of the trace group: meshes, their vertices and triangles
+    std::uint64_t textures = 0;
+    std::uint64_t texture_bytes = 0;  ///< of the trace group: texels, texture coordinates and what materials do
     std::uint64_t model_bytes = 0;
     std::array<float, 3> low = {};  ///< box of all cells, metres
     std::array<float, 3> high = {};

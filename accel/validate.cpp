@@ -27,6 +27,7 @@ public:
         check_cell_ranges();
         detail::validate_objects(view_, executor_, report_);
         detail::validate_lights(view_, executor_, report_);
+        if (report_.empty()) detail::validate_looks(view_, executor_, report_);
         if (!report_.empty()) return report_.take();  // what follows relies on the ranges
         check_cells();
         if (report_.empty()) check_portals_seen();

@@ -39,7 +39,7 @@ ELEMENTS = {
     "locator_nodes": [("low", "<f4", 3), ("high", "<f4", 3), ("skip", "<u4"), ("first_and_count", "<u4")],
     "locator_cells": "<u4",
     "meshes": [("first_vertex", "<u4"), ("first_triangle", "<u4"), ("vertex_count", "<u4"), ("triangle_count", "<u4"),
-               ("low", "<f4", 3), ("high", "<f4", 3), ("name", "<u4"), ("reserved", "<u4")],
+               ("low", "<f4", 3), ("high", "<f4", 3), ("name", "<u4"), ("texcoords", "<u4")],
     "mesh_vertices": ("<f4", 3),
     "mesh_triangles": [("corners", "<u4", 3), ("material", "<u4")],
     "objects": [("scene_from_object", "<f4", (3, 4)), ("object_from_scene", "<f4", (3, 4)), ("low", "<f4", 3),
@@ -49,6 +49,12 @@ ELEMENTS = {
     "cell_objects": "<u4",
     "lights": [("position", "<f4", 3), ("radius", "<f4"), ("intensity", "<f4", 3), ("cell", "<u4"), ("carrier", "<u4"),
                ("id", "<u4"), ("name", "<u4"), ("reserved", "<u4")],
+    "material_looks": [("mirror", "<f4"), ("through", "<f4", 3), ("texture", "<u4"),
+                       ("texture_from_face", "<f4", (2, 3)), ("reserved", "<u4")],
+    "textures": [("first_texel", "<u4"), ("width", "<u2"), ("height", "<u2"), ("level_count", "<u4"), ("name", "<u4")],
+    "texels": ("u1", 4),
+    "mesh_texcoords": ("<f4", 2),
+    "face_frames": [("x_u", "<f4"), ("y_u", "<f4"), ("u_0", "<f4"), ("v_0", "<f4")],
 }
 LABELS = ["room", "wall", "slab", "door", "window", "opening", "stair", "shaft", "object", "exterior", "ground",
           "outside"]

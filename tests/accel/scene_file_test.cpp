@@ -69,7 +69,7 @@ TEST(SceneFile, CarriesSectionsThatItDoesNotKnow) {
     const Scene scene = modelled_scene();
     std::vector<SceneArray> arrays(scene.arrays().begin(), scene.arrays().end());
     const std::array<std::byte, 3> payload = {std::byte{1}, std::byte{2}, std::byte{3}};
-    arrays.push_back({"octrees", 40, Group::Trace, 1, payload, sha256(payload)});
+    arrays.push_back({"octrees", 63, Group::Trace, 1, payload, sha256(payload)});
     const Scene::Storage image = detail::lay_out(scene.view().unit, {0, 0, 0}, arrays);
     const Scene again = read({image.bytes.get(), image.size}, {.verify_hashes = true});
     ASSERT_NE(again.find("octrees"), nullptr);
