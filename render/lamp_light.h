@@ -20,11 +20,8 @@ struct LitPlace {
 
 /// Whether the beam holds a place that lies at `way` from its lamp.
 ENFILADE_HD bool holds(const accel::LightTreesView& trees, std::uint32_t beam, Vec3f way) {
-    const std::uint32_t end = trees.beams[beam + 1].first_plane;
-    for (std::uint32_t p = trees.beams[beam].first_plane; p < end; ++p) {
-        const accel::BeamPlane& plane = trees.planes[p];
+    for (const accel::BeamPlane& plane : trees.planes_of(beam))
         if (!(plane.x * way.x + plane.y * way.y + plane.z * way.z >= 0)) return false;
-    }
     return true;
 }
 

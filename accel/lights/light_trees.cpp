@@ -5,6 +5,7 @@
 #include <map>
 
 #include "accel/beam.h"
+#include "accel/lights/beam_objects.h"
 #include "accel/lights/beam_planes.h"
 
 namespace enfilade::accel {
@@ -17,6 +18,8 @@ struct Tree {
     std::vector<Vertex> tints;
     std::vector<CellId> cells;  ///< of a lamp without tree: where it may be seen
 };
+
+constexpr std::uint32_t most_planes = 1023;
 
 /// How far a walk in float may be from the truth (render/oracle.h, `error_band`), in grid units.
 std::int64_t float_margin(const SceneView& view) {
@@ -49,19 +52,19 @@ private:
         walker_.start(source);
         while (const BeamStep* step = walker_.next()) {
             if (tree.beams.size() == options_.most_beams) return false;
-            LightBeam beam = {static_cast<std::uint32_t>(tree.planes.size()), step->parent, step->cell, 0};
+            LightBeam beam = {static_cast<std::uint32_t>(tree.planes.size()), step->parent, step->cell, 0, 0};
             Vertex tint = {1, 1, 1};
             if (step->depth > 0) {
                 const LightBeam parent = tree.beams[step->parent];
-                const std::uint32_t end = tree.beams.size() == step->parent + 1u
-                                              ? static_cast<std::uint32_t>(tree.planes.size())
-                                              : tree.beams[step->parent + 1u].first_plane;
-                for (std::uint32_t p = parent.first_plane; p < end; ++p)
-                    tree.planes.push_back(BeamPlane(tree.planes[p]));
+                for (std::uint32_t p = 0; p < parent.plane_count; ++p)
+                    tree.planes.push_back(BeamPlane(tree.planes[parent.first_plane + p]));
                 detail::add_portal_planes(view_, lamp, *step, margin_, tree.planes);
                 tint = tinted(tree.tints[parent.tint], *step);
             }
-            beam.tint = number_of(tree, tint);
+            const std::size_t planes = tree.planes.size() - beam.first_plane;
+            if (planes > most_planes) return false;
+            beam.tint = number_of(tree, tint) & 0x3fffffu;
+            beam.plane_count = planes & most_planes;
             tree.beams.push_back(beam);
         }
         return true;
@@ -100,12 +103,15 @@ LightTreesView LightTrees::view() const {
             {cell_lights_.data(), cell_lights_.size()},
             {beams_.data(), beams_.size()},
             {planes_.data(), planes_.size()},
-            {tints_.data(), tints_.size()}};
+            {tints_.data(), tints_.size()},
+            {beam_object_lists_.data(), beam_object_lists_.size()},
+            {beam_objects_.data(), beam_objects_.size()}};
 }
 
 std::size_t LightTrees::bytes() const {
     return cell_offsets_.size() * sizeof cell_offsets_[0] + cell_lights_.size() * sizeof cell_lights_[0] +
-           beams_.size() * sizeof beams_[0] + planes_.size() * sizeof planes_[0] + tints_.size() * sizeof tints_[0];
+           beams_.size() * sizeof beams_[0] + planes_.size() * sizeof planes_[0] + tints_.size() * sizeof tints_[0] +
+           beam_object_lists_.size() * sizeof beam_object_lists_[0] + beam_objects_.size() * sizeof beam_objects_[0];
 }
 
 LightTrees build_light_trees(const SceneView& view, const LightTreeOptions& options, const Executor& executor) {
@@ -139,12 +145,13 @@ LightTrees build_light_trees(const SceneView& view, const LightTreeOptions& opti
             const Vertex& tint = tree.tints[beam.tint];
             const bool is_clear = tint.x == 1 && tint.y == 1 && tint.z == 1;
             all.beams_.push_back({first_plane + beam.first_plane, first_beam + beam.parent, beam.cell,
-                                  is_clear ? 0 : first_tint + beam.tint});
+                                  is_clear ? 0 : (first_tint + beam.tint) & 0x3fffffu, beam.plane_count});
         }
         all.planes_.insert(all.planes_.end(), tree.planes.begin(), tree.planes.end());
         all.tints_.insert(all.tints_.end(), tree.tints.begin(), tree.tints.end());
     }
-    all.beams_.push_back({static_cast<std::uint32_t>(all.planes_.size()), 0, none<CellId>, 0});
+    if (options.objects && options.trees && view.has_objects())
+        detail::list_objects(view, all.view(), executor, all.beam_object_lists_, all.beam_objects_);
     return all;
 }
 

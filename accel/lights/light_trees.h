@@ -16,13 +16,13 @@ struct BeamPlane {
     float x, y, z;
 };
 
-/// A node of a light tree: one way of a lamp's light into a cell, through the portals that it has crossed. Beams of one
-/// lamp lie together, in depth-first order.
+/// A node of a light tree: one way of a lamp's light into a cell, through the portals that it has crossed.
 struct LightBeam {
-    std::uint32_t first_plane;  ///< what bounds it in its cell; its planes end where the next beam's begin
-    std::uint32_t parent;       ///< the beam that it continues; its own number at the lamp
-    CellId cell;                ///< to which it gets
-    std::uint32_t tint;         ///< into `tints`: what the glass on its way lets pass; 0: all
+    std::uint32_t first_plane;       ///< of those that bound it in its cell; beams may share them
+    std::uint32_t parent;            ///< the beam that it continues; its own number at the lamp
+    CellId cell;                     ///< to which it gets
+    std::uint32_t tint : 22;         ///< into `tints`: what the glass on its way lets pass; 0: all
+    std::uint32_t plane_count : 10;  ///< often 0: all of the cell sees the lamp
 };
 
 inline constexpr std::uint32_t no_beam = 0xffffffffu;
@@ -33,22 +33,63 @@ struct CellLight {
     std::uint32_t beam;  ///< no_beam: the lamp has no tree, whether it is seen takes a walk
 };
 
+/// Where a beam's objects are in `beam_objects`.
+struct BeamObjects {
+    std::uint32_t first;
+    std::uint32_t count : 31;
+    std::uint32_t must_walk : 1;
+};
+
+/// The planes of one beam: a place is held where it lies on the inner side of all.
+struct PlanesOfBeam {
+    const BeamPlane* first;
+    std::uint32_t count;
+    ENFILADE_HD const BeamPlane* begin() const { return first; }
+    ENFILADE_HD const BeamPlane* end() const { return first + count; }
+};
+
+/// The objects that can stand in a beam, ascending; never the lamp's carrier. A place that the beam holds sees the lamp
+/// if none of them meets the way to it. must_walk: one of them reaches into a cell of the way in which it is not seen
+/// (it pokes through a wall): where one meets, a walk decides whether that is in sight.
+struct ObjectsOfBeam {
+    const ObjectId* first;
+    std::uint32_t count;
+    bool must_walk;
+    ENFILADE_HD const ObjectId* begin() const { return first; }
+    ENFILADE_HD const ObjectId* end() const { return first + count; }
+};
+
 /// Everything that a tracer asks, as plain pointers, for host and device. A place in cell c sees lamp l if one of c's
 /// beams of l holds it: if it lies on the inner side of all of that beam's planes (and nothing stands between: objects
 /// are asked in the cells of the beam and its parents). No two beams of one lamp share more than a border in a cell.
 struct LightTreesView {
     ArrayView<std::uint32_t> cell_offsets;  ///< [cell_count + 1] into `cell_lights`
     ArrayView<CellLight> cell_lights;       ///< of each cell, by ascending light, then beam
-    ArrayView<LightBeam> beams;             ///< [beam_count + 1], the last one closes the planes
+    ArrayView<LightBeam> beams;
     ArrayView<BeamPlane> planes;
     ArrayView<Vertex> tints;  ///< linear RGB; the first one is (1, 1, 1)
+    // Of furnished scenes, where asked for; else empty.
+    ArrayView<BeamObjects> beam_object_lists;  ///< [beam_count]
+    ArrayView<ObjectId> beam_objects;
+
+    ENFILADE_HD PlanesOfBeam planes_of(std::uint32_t beam) const {
+        const LightBeam& of = beams[beam];
+        return {planes.first + of.first_plane, of.plane_count};
+    }
+    /// What can stand between the beam's lamp and a place that the beam holds. \pre beam_object_lists is not empty
+    ENFILADE_HD ObjectsOfBeam objects_of(std::uint32_t beam) const {
+        const BeamObjects& of = beam_object_lists[beam];
+        return {beam_objects.first + of.first, of.count, of.must_walk != 0};
+    }
 };
 
 static_assert(sizeof(LightBeam) == 16 && sizeof(CellLight) == 8 && sizeof(BeamPlane) == 12);
+static_assert(sizeof(BeamObjects) == 8);
 
 struct LightTreeOptions {
     bool trees = true;  ///< false: which lamps a cell may see, and no more
     bool through_glass = true;
+    bool objects = true;  ///< which objects can stand in each beam; nothing where the scene has none
     /// Grid units by which light may miss a portal's edge and still be followed; nothing: what a walk in float may.
     std::optional<std::int64_t> margin = std::nullopt;
     /// Lamps whose light takes more ways than this have no tree.
@@ -71,6 +112,8 @@ private:
     std::vector<LightBeam> beams_;
     std::vector<BeamPlane> planes_;
     std::vector<Vertex> tints_;
+    std::vector<BeamObjects> beam_object_lists_;
+    std::vector<ObjectId> beam_objects_;
     std::size_t without_tree_ = 0;
 };
 
