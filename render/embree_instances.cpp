@@ -9,6 +9,7 @@
 #include "render/embree_device.h"
 #include "render/embree_faces.h"
 #include "render/embree_jobs.h"
+#include "render/embree_lamps.h"
 #include "render/math.h"
 
 namespace enfilade::render {
@@ -200,6 +201,19 @@ EmbreeInstances& EmbreeInstances::operator=(EmbreeInstances&&) noexcept = defaul
 void EmbreeInstances::trace_lambert(const CameraFrame& frame, EmbreeWay way, const accel::Executor& executor,
                                     Framebuffer& image) const {
     detail::embree_picture(state_->asked(way), frame, way.lanes, executor, image);
+}
+
+void EmbreeInstances::trace_lit(const CameraFrame& frame, const EmbreeLamps& lamps, const EmbreeLitWay& way,
+                                const accel::Executor& executor, Framebuffer& image) const {
+    // As in `visible`.
+    EmbreeLitWay asked = way;
+    if (!state_->is_flat) asked.coherent_shadows = false;
+    detail::embree_lit_picture(state_->asked(way.primary), frame, lamps, asked, executor, image);
+}
+
+SeenPlaces EmbreeInstances::seen_places(const CameraFrame& frame, int width, int height,
+                                        const accel::Executor& executor) const {
+    return detail::embree_places(state_->asked({.lanes = 16}), frame, width, height, executor);
 }
 
 void EmbreeInstances::nearest(const RayColumns& rays, const HitColumns& hits, EmbreeWay way,

@@ -35,6 +35,14 @@ public:
     void trace_lambert(const CameraFrame& frame, EmbreeWay way, const accel::Executor& executor,
                        Framebuffer& image) const;
 
+    /// The picture of `trace_lambert` with lamps: the same lists, the same light. \pre as above
+    void trace_lit(const CameraFrame& frame, const EmbreeLamps& lamps, const EmbreeLitWay& way,
+                   const accel::Executor& executor, Framebuffer& image) const;
+
+    /// What each pixel of a picture shows. \pre width and height are multiples of 4
+    [[nodiscard]] SeenPlaces seen_places(const CameraFrame& frame, int width, int height,
+                                         const accel::Executor& executor) const;
+
     /// What `render::nearest` asks, without cells. What lies within `skin` (metres) of an origin is not hit.
     void nearest(const RayColumns& rays, const HitColumns& hits, EmbreeWay way, const accel::Executor& executor,
                  float skin = 0) const;

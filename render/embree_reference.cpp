@@ -8,6 +8,7 @@
 #include "render/embree_device.h"
 #include "render/embree_faces.h"
 #include "render/embree_jobs.h"
+#include "render/embree_lamps.h"
 
 namespace enfilade::render {
 namespace {
@@ -120,6 +121,16 @@ void EmbreeReference::trace(std::span<const RayQuery> rays, std::span<RayHit> hi
 void EmbreeReference::trace_lambert(const CameraFrame& frame, EmbreeWay way, const accel::Executor& executor,
                                     Framebuffer& image) const {
     detail::embree_picture(state_->asked(way), frame, way.lanes, executor, image);
+}
+
+void EmbreeReference::trace_lit(const CameraFrame& frame, const EmbreeLamps& lamps, const EmbreeLitWay& way,
+                                const accel::Executor& executor, Framebuffer& image) const {
+    detail::embree_lit_picture(state_->asked(way.primary), frame, lamps, way, executor, image);
+}
+
+SeenPlaces EmbreeReference::seen_places(const CameraFrame& frame, int width, int height,
+                                        const accel::Executor& executor) const {
+    return detail::embree_places(state_->asked({.lanes = 16}), frame, width, height, executor);
 }
 
 void EmbreeReference::nearest(const RayColumns& rays, const HitColumns& hits, EmbreeWay way,

@@ -36,6 +36,10 @@ inline constexpr std::array embree_ways = {
     EmbreeWay{16, false, EmbreeFaces::Triangles}, EmbreeWay{16, true, EmbreeFaces::Triangles},
     EmbreeWay{16, false, EmbreeFaces::Quads},     EmbreeWay{16, true, EmbreeFaces::Quads}};
 
+struct EmbreeLamps;
+struct EmbreeLitWay;
+struct SeenPlaces;
+
 /// Embree 3 scenes of the faces of all cells, tagged with their source faces. Embree is given its best: BVHs of the
 /// highest quality, neither robust nor compact, denormal numbers as zero while it traces, packets of 4 x 4 or 4 x 2
 /// pixels, rays and shading in as many lanes as the machine has. Glass is no obstacle to it.
@@ -55,6 +59,14 @@ public:
     /// \pre image has the camera's size, a multiple of 4 both ways
     void trace_lambert(const CameraFrame& frame, EmbreeWay way, const accel::Executor& executor,
                        Framebuffer& image) const;
+
+    /// The picture of `trace_lambert` with lamps: the same lists, the same light. \pre as above
+    void trace_lit(const CameraFrame& frame, const EmbreeLamps& lamps, const EmbreeLitWay& way,
+                   const accel::Executor& executor, Framebuffer& image) const;
+
+    /// What each pixel of a picture shows. \pre width and height are multiples of 4
+    [[nodiscard]] SeenPlaces seen_places(const CameraFrame& frame, int width, int height,
+                                         const accel::Executor& executor) const;
 
     /// What `render::nearest` asks, without cells: hits.cell stays as it is. What lies within `skin` (metres) of a
     /// ray's origin is not hit: Embree's rays must be kept off the faces on which they start.

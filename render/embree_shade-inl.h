@@ -98,43 +98,65 @@ HWY_INLINE void through_places(D d, const EmbreeScene& embree, hn::Vec<hn::Rebin
     primitive = hn::Add(hn::And(primitive, hn::GatherIndex(du, looks + 1, at)), hn::GatherIndex(du, looks, at));
 }
 
-/// What Lambert's shading makes of lanes of hits; magenta where there is none. Most packets see one primitive. Square
-/// roots of colours are multiplied by those of cosines: one root for three channels.
+/// What lanes of hits show.
+template <class D>
+struct Shown {
+    hn::Mask<hn::RebindToUnsigned<D>> has_hit;
+    Vec3<D> normal;  ///< of any length, on either side
+    Vec3<D> colour;  ///< square roots of the diffuse reflectance
+    hn::Mask<D> is_sky;
+};
+
+/// Most packets see one primitive.
+template <class D, class Hit>
+HWY_INLINE Shown<D> shown(D d, const EmbreeScene& embree, const Hit& hit, std::size_t k) {
+    const hn::RebindToUnsigned<D> du;
+    const hn::RebindToSigned<D> di;
+    Shown<D> seen;
+    seen.has_hit = hn::Ne(hn::Load(du, hit.geomID + k), hn::Set(du, RTC_INVALID_GEOMETRY_ID));
+    auto primitive = hn::IfThenElseZero(seen.has_hit, hn::Load(du, hit.primID + k));
+    seen.normal = {hn::Load(d, hit.Ng_x + k), hn::Load(d, hit.Ng_y + k), hn::Load(d, hit.Ng_z + k)};
+    if (embree.places != nullptr) through_places<D>(d, embree, place_of(du, embree, hit, k), seen.normal, primitive);
+    const bool is_one = hn::AllTrue(du, hn::And(seen.has_hit, hn::Eq(primitive, hn::Set(du, hn::GetLane(primitive)))));
+    if (HWY_LIKELY(is_one)) {
+        const PrimitiveLook& look = embree.looks[hn::GetLane(primitive)];
+        seen.colour = {hn::Set(d, look.red), hn::Set(d, look.green), hn::Set(d, look.blue)};
+        seen.is_sky = hn::MaskFromVec(hn::BitCast(d, hn::Set(du, (look.source_face & sky_bit) != 0 ? ~0u : 0u)));
+    } else {
+        const auto place = hn::BitCast(di, hn::ShiftLeft<2>(primitive));
+        const float* looks = &embree.looks->red;
+        seen.colour = {hn::GatherIndex(d, looks, place), hn::GatherIndex(d, looks + 1, place),
+                       hn::GatherIndex(d, looks + 2, place)};
+        const auto face = hn::BitCast(di, hn::GatherIndex(d, looks + 3, place));
+        seen.is_sky = hn::RebindMask(d, hn::Lt(face, hn::Zero(di)));
+    }
+    return seen;
+}
+
+/// Square roots of light as pixels: the sky's own where it is seen, magenta where nothing is.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> pixels_of(D d, const Look& look, const Shown<D>& seen,
+                                                      const Vec3<D>& direction, Vec3<D> light) {
+    const hn::RebindToUnsigned<D> du;
+    if (!hn::AllFalse(d, seen.is_sky)) {
+        const Vec3<D> above = sky(d, look, direction);
+        light = {hn::IfThenElse(seen.is_sky, above.x, light.x), hn::IfThenElse(seen.is_sky, above.y, light.y),
+                 hn::IfThenElse(seen.is_sky, above.z, light.z)};
+    }
+    const auto pixels = hn::Or(hn::Or(encoded(d, light.x), hn::ShiftLeft<8>(encoded(d, light.y))),
+                               hn::Or(hn::ShiftLeft<16>(encoded(d, light.z)), hn::Set(du, 0xff000000u)));
+    return hn::IfThenElse(hn::RebindMask(du, seen.has_hit), pixels, hn::Set(du, 0xffff00ffu));
+}
+
+/// What Lambert's shading makes of lanes of hits. Square roots of colours are multiplied by those of cosines: one root
+/// for three channels.
 template <class D, class Hit>
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(D d, const EmbreeTile& job, const Vec3<D>& direction, const Hit& hit,
                                                    std::size_t k) {
-    const hn::RebindToUnsigned<D> du;
-    const hn::RebindToSigned<D> di;
-    const auto has_hit = hn::Ne(hn::Load(du, hit.geomID + k), hn::Set(du, RTC_INVALID_GEOMETRY_ID));
-    auto primitive = hn::IfThenElseZero(has_hit, hn::Load(du, hit.primID + k));
-    Vec3<D> normal = {hn::Load(d, hit.Ng_x + k), hn::Load(d, hit.Ng_y + k), hn::Load(d, hit.Ng_z + k)};
-    if (job.embree.places != nullptr)
-        through_places<D>(d, job.embree, place_of(du, job.embree, hit, k), normal, primitive);
-    const auto lit = root_of_cosine<D>(d, normal, direction);
-    const bool is_one = hn::AllTrue(du, hn::And(has_hit, hn::Eq(primitive, hn::Set(du, hn::GetLane(primitive)))));
-    Vec3<D> colour;
-    hn::Mask<D> is_sky;
-    if (HWY_LIKELY(is_one)) {
-        const PrimitiveLook& look = job.embree.looks[hn::GetLane(primitive)];
-        colour = {hn::Set(d, look.red), hn::Set(d, look.green), hn::Set(d, look.blue)};
-        is_sky = hn::MaskFromVec(hn::BitCast(d, hn::Set(du, (look.source_face & sky_bit) != 0 ? ~0u : 0u)));
-    } else {
-        const auto place = hn::BitCast(di, hn::ShiftLeft<2>(primitive));
-        const float* looks = &job.embree.looks->red;
-        colour = {hn::GatherIndex(d, looks, place), hn::GatherIndex(d, looks + 1, place),
-                  hn::GatherIndex(d, looks + 2, place)};
-        const auto face = hn::BitCast(di, hn::GatherIndex(d, looks + 3, place));
-        is_sky = hn::RebindMask(d, hn::Lt(face, hn::Zero(di)));
-    }
-    colour = {hn::Mul(colour.x, lit), hn::Mul(colour.y, lit), hn::Mul(colour.z, lit)};
-    if (!hn::AllFalse(d, is_sky)) {
-        const Vec3<D> above = sky(d, *job.look, direction);
-        colour = {hn::IfThenElse(is_sky, above.x, colour.x), hn::IfThenElse(is_sky, above.y, colour.y),
-                  hn::IfThenElse(is_sky, above.z, colour.z)};
-    }
-    const auto pixels = hn::Or(hn::Or(encoded(d, colour.x), hn::ShiftLeft<8>(encoded(d, colour.y))),
-                               hn::Or(hn::ShiftLeft<16>(encoded(d, colour.z)), hn::Set(du, 0xff000000u)));
-    return hn::IfThenElse(hn::RebindMask(du, has_hit), pixels, hn::Set(du, 0xffff00ffu));
+    const Shown<D> seen = shown(d, job.embree, hit, k);
+    const auto lit = root_of_cosine<D>(d, seen.normal, direction);
+    const Vec3<D>& own = seen.colour;
+    return pixels_of<D>(d, *job.look, seen, direction, {hn::Mul(own.x, lit), hn::Mul(own.y, lit), hn::Mul(own.z, lit)});
 }
 
 }  // namespace HWY_NAMESPACE
