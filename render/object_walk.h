@@ -143,41 +143,92 @@ ENFILADE_HD Vec3f scene_normal(const accel::PlacedObject& object, const ObjectRa
             m[2] * met.normal_x + m[6] * met.normal_y + m[10] * met.normal_z};
 }
 
-/// What an object shows at one of its triangles.
-ENFILADE_HD Vec3f object_colour(const accel::SceneView& scene, std::uint32_t object, std::uint32_t triangle) {
+/// What an object is made of at one of its triangles.
+ENFILADE_HD std::uint32_t object_material(const accel::SceneView& scene, std::uint32_t object, std::uint32_t triangle) {
     const accel::PlacedObject& placed = scene.objects[object];
     const accel::ObjectMesh& mesh = scene.meshes[static_cast<std::uint32_t>(placed.mesh)];
     const accel::MaterialId of_object = placed.material;
-    const accel::MaterialId material = static_cast<std::uint32_t>(of_object) != 0xffffffffu
-                                           ? of_object
-                                           : scene.mesh_triangles[mesh.first_triangle + triangle].material;
-    const auto* c = reinterpret_cast<const float*>(&scene.materials[static_cast<std::uint32_t>(material)]);
+    return static_cast<std::uint32_t>(static_cast<std::uint32_t>(of_object) != 0xffffffffu
+                                          ? of_object
+                                          : scene.mesh_triangles[mesh.first_triangle + triangle].material);
+}
+
+/// What an object shows at one of its triangles: its plain colour.
+ENFILADE_HD Vec3f object_colour(const accel::SceneView& scene, std::uint32_t object, std::uint32_t triangle) {
+    const auto* c = reinterpret_cast<const float*>(&scene.materials[object_material(scene, object, triangle)]);
     return {c[0], c[1], c[2]};
+}
+
+/// Whether light goes through a triangle of an object, tinted or not. \pre scene.has_looks()
+ENFILADE_HD bool is_glass(const accel::SceneView& scene, std::uint32_t object, std::uint32_t triangle) {
+    const accel::MaterialLook& look = scene.material_looks[object_material(scene, object, triangle)];
+    const auto* through = reinterpret_cast<const float*>(&look.through);
+    return through[0] + through[1] + through[2] > 0;
+}
+
+/// Whether all triangles of the object that lie in the ray's part are glass: sixteen of them, else they block. `asked`
+/// is a ray in the object's space.
+template <class Inside>
+ENFILADE_HD_COLD bool is_only_glass(const accel::SceneView& scene, const Inside& inside, std::uint32_t object,
+                                    ObjectRay asked) {
+    constexpr int most_panes = 16;
+    const float far = asked.far;
+    for (int pane = 0; pane < most_panes; ++pane) {
+        ask_nearest(inside, scene.objects[object].mesh, asked);
+        if (asked.triangle == no_triangle) return true;
+        if (!is_glass(scene, object, asked.triangle)) return false;
+        asked.near = asked.far * (1 + 0x1p-20f) + 1e-30f;
+        if (!(asked.near < far)) return true;
+        asked.far = far;
+        asked.triangle = no_triangle;
+    }
+    return false;
 }
 
 /// Nearest: which triangle stops the ray. Any: whether one does, which costs less.
 enum class ObjectsAsked { Nearest, Any };
 
-/// slabs: scene_slabs of the ray. Asks the objects of a cell, by ascending id, for the nearest triangle of the ray's
-/// part [near, far]; of equally near ones that of the first object stands.
+/// The ray in the object's space, for its part [near, far]; false where boxes tell that it does not meet the object.
+/// slabs: scene_slabs of the ray
+template <class T>
+ENFILADE_HD bool comes_near(const accel::SceneView& scene, const accel::PlacedObject& object, const Ray<T>& ray,
+                            const SlabRay& slabs, float near, float far, ObjectRay& asked) {
+    if (!may_meet_box(slabs, reinterpret_cast<const float*>(&object.low), reinterpret_cast<const float*>(&object.high),
+                      near, far))
+        return false;
+    asked = to_object(object, ray, near, far);
+    return may_meet(scene.meshes[static_cast<std::uint32_t>(object.mesh)], asked);
+}
+
+/// Whether an object has a triangle in the ray's part [near, far] that is no glass.
+template <class Inside, class T>
+ENFILADE_HD bool meets_object(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
+                              const SlabRay& slabs, std::uint32_t id, float near, float far) {
+    const accel::PlacedObject& object = scene.objects[id];
+    ObjectRay asked;
+    return comes_near(scene, object, ray, slabs, near, far, asked) && ask_blocked(inside, object.mesh, asked) &&
+           !(scene.has_looks() && is_only_glass(scene, inside, id, asked));
+}
+
+/// Asks the objects of a cell, by ascending id, for the nearest triangle of the ray's part [near, far]; of equally near
+/// ones that of the first object stands. skipped: an object that is not asked, or no_object
 template <ObjectsAsked asked_for, class Inside, class T>
 ENFILADE_HD bool meets_objects(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
-                               const SlabRay& slabs, std::uint32_t cell, float near, float far, ObjectHit<T>& hit) {
+                               const SlabRay& slabs, std::uint32_t cell, float near, float far, ObjectHit<T>& hit,
+                               std::uint32_t skipped = no_object) {
     bool is_hit = false;
     const std::uint32_t end = scene.cell_object_offsets[cell + 1];
     for (std::uint32_t k = scene.cell_object_offsets[cell]; k < end; ++k) {
         const auto id = static_cast<std::uint32_t>(scene.cell_objects[k]);
-        const accel::PlacedObject& object = scene.objects[id];
-        if (!may_meet_box(slabs, reinterpret_cast<const float*>(&object.low),
-                          reinterpret_cast<const float*>(&object.high), near, far))
-            continue;
-        ObjectRay asked = to_object(object, ray, near, far);
-        if (!may_meet(scene.meshes[static_cast<std::uint32_t>(object.mesh)], asked)) continue;
+        if (id == skipped) continue;
         if constexpr (asked_for == ObjectsAsked::Any) {
-            if (!ask_blocked(inside, object.mesh, asked)) continue;
+            if (!meets_object(scene, inside, ray, slabs, id, near, far)) continue;
             hit.object = id;
             return true;
         } else {
+            const accel::PlacedObject& object = scene.objects[id];
+            ObjectRay asked;
+            if (!comes_near(scene, object, ray, slabs, near, far, asked)) continue;
             ask_nearest(inside, object.mesh, asked);
             if (asked.triangle == no_triangle || (is_hit && !(asked.far < far))) continue;
             is_hit = true;
@@ -205,6 +256,7 @@ ENFILADE_HD float stretch_end(float t, float last) {
 struct ObjectPart {
     float near = 0;
     float far = 3e38f;
+    std::uint32_t skipped = no_object;  ///< one object that does not: a lamp throws no shadow of its own light
 };
 
 /// That of a walk which stops there.
@@ -245,7 +297,7 @@ ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const In
         }
         if (is_furnished) {
             const float to = is_last ? part.far : stretch_end(static_cast<float>(parameter(scene, ray, end)), part.far);
-            if (meets_objects<asked_for>(scene, inside, ray, slabs, cell, from, to, hit)) {
+            if (meets_objects<asked_for>(scene, inside, ray, slabs, cell, from, to, hit, part.skipped)) {
                 end.status = WalkStatus::Object;
                 return end;
             }

@@ -4,6 +4,7 @@
 
 #include "render/kernel.h"
 #include "render/rooms.h"
+#include "render/sees.h"
 
 namespace enfilade::render {
 inline namespace ENFILADE_ISA {
@@ -80,44 +81,6 @@ void trace_stream(const detail::StreamJob& job, const Rooms& rooms, Events& even
             job.object[i] = static_cast<accel::ObjectId>(is_object ? sight.hit.object : no_object);
         if (job.triangle != nullptr) job.triangle[i] = is_object ? sight.hit.triangle : no_triangle;
     }
-}
-
-/// Whether nothing but glass lies between p (in `cell`) and q (in `to_cell`; no_cell: not known): the walk from p
-/// reaches q's cell, or q. Objects that touch p or q (`touch_slack`) are not between.
-///
-/// The ray's direction is q - p rounded once and scaled by a power of two, so that power is exactly the parameter of q,
-/// and a floor or ceiling at q's height has exactly q's parameter: what lies on a level is seen from its cell, in
-/// either direction. Where q lies on a wall and its cell is not known, rounding decides, as everywhere within
-/// `error_band`. Outside that band the answer is the same for q and p exchanged. Points that are none (NaN, infinite)
-/// see nothing, not even themselves.
-///
-/// throughput: multiplied by the tints of the glass between.
-template <class Rooms, class Events>
-bool sees_through(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
-                  std::uint32_t to_cell, Vec3f& throughput, Events& events) {
-    if (!is_place(p) || !is_place(q)) return false;
-    if (cell == to_cell && !Rooms::are_furnished) return true;
-    Ray<float> ray;
-    const Vec3f way = q - p;
-    if (!make_ray(p, way, ray)) return true;  // equal points
-    const float t = largest_part(way) / largest_part(ray.direction);
-    const float touch = touch_slack / length(ray.direction);
-    const ObjectPart part = {touch, t - touch};
-    if constexpr (Rooms::are_furnished) {
-        ObjectHit<float> hit;
-        if (cell == to_cell)
-            return !meets_objects<ObjectsAsked::Any>(scene, rooms.objects, ray, scene_slabs(ray), cell, part.near,
-                                                     part.far, hit);
-    }
-    return rooms.look_for_any(scene, ray, cell, ToPoint<float>{t, to_cell}, part, throughput, events).status ==
-           WalkStatus::Reached;
-}
-
-template <class Rooms, class Events>
-bool sees(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
-          std::uint32_t to_cell, Events& events) {
-    Vec3f throughput = {1, 1, 1};
-    return sees_through(scene, rooms, p, q, cell, to_cell, throughput, events);
 }
 
 template <class Rooms, class Events>

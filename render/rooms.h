@@ -3,7 +3,6 @@
 // that scenes without objects pay nothing for them. Included by loops alone, which are compiled once for each
 // instruction set (isa.h).
 
-#include "render/kernel.h"
 #include "render/object_walk.h"
 #include "render/shade.h"
 
@@ -34,9 +33,11 @@ struct BareRooms {
     }
 };
 
-struct FurnishedRooms {
+/// Inside: who is asked (ask_nearest, ask_blocked).
+template <class Inside>
+struct RoomsWith {
     static constexpr bool are_furnished = true;
-    ObjectTracer objects;
+    Inside objects;
 
     /// first: the parameter from which objects count
     template <class T, class Stop, class Events>
@@ -53,6 +54,8 @@ struct FurnishedRooms {
         return walk_asking<ObjectsAsked::Any>(scene, objects, ray, cell, stop, part, throughput, events, hit);
     }
 };
+
+using FurnishedRooms = RoomsWith<ObjectTracer>;
 
 /// Calls body(rooms) for what a job is to meet.
 template <class Job, class Body>

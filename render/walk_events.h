@@ -29,6 +29,8 @@ struct NoEvents {
     ENFILADE_HD void began_tile() {}
     ENFILADE_HD void split_tile() {}
     ENFILADE_HD void filled_tile(std::uint64_t) {}
+    ENFILADE_HD void considered_lamp() {}
+    ENFILADE_HD void lit_by_lamp() {}
 };
 
 /// What is counted of many rays. A packet's steps count once, whatever number of rays it stands for.
@@ -40,9 +42,11 @@ struct RayStats {
     std::uint64_t none = 0;        ///< recoveries: no section accepted it, the one that missed by least was taken
     std::uint64_t leaks = 0;
     std::uint64_t glass = 0;
-    std::uint64_t tiles = 0;   ///< packets begun
-    std::uint64_t splits = 0;  ///< packets whose corners left a cell by different faces
-    std::uint64_t filled = 0;  ///< pixels that whole packets filled
+    std::uint64_t tiles = 0;             ///< packets begun
+    std::uint64_t splits = 0;            ///< packets whose corners left a cell by different faces
+    std::uint64_t filled = 0;            ///< pixels that whole packets filled
+    std::uint64_t lamps_considered = 0;  ///< pairs of a place and a lamp that was looked for there
+    std::uint64_t lamps_lit = 0;         ///< those in whose light the place lies
 
     ENFILADE_HD void began_walk() { ++rays; }
     /// sections: of the cell
@@ -58,6 +62,8 @@ struct RayStats {
     ENFILADE_HD void began_tile() { ++tiles; }
     ENFILADE_HD void split_tile() { ++splits; }
     ENFILADE_HD void filled_tile(std::uint64_t pixels) { filled += pixels; }
+    ENFILADE_HD void considered_lamp() { ++lamps_considered; }
+    ENFILADE_HD void lit_by_lamp() { ++lamps_lit; }
     ENFILADE_HD void add(const RayStats& other) {
         rays += other.rays;
         cells += other.cells;
@@ -69,6 +75,8 @@ struct RayStats {
         tiles += other.tiles;
         splits += other.splits;
         filled += other.filled;
+        lamps_considered += other.lamps_considered;
+        lamps_lit += other.lamps_lit;
     }
 };
 
