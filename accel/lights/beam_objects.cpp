@@ -65,8 +65,10 @@ void list_objects(const SceneView& view, const LightTreesView& trees, const Exec
         if (entry.beam == no_beam) continue;
         const ObjectId carrier = view.lights[index(entry.light)].carrier;
         const bool must_walk = lister.list(entry.beam, carrier, found);
-        const auto count = static_cast<std::uint32_t>(found.size()) & 0x7fffffffu;
-        lists[entry.beam] = {static_cast<std::uint32_t>(objects.size()), count, must_walk ? 1u : 0u};
+        BeamObjects& list = lists[entry.beam];
+        list.first = static_cast<std::uint32_t>(objects.size());
+        list.count = static_cast<std::uint32_t>(found.size()) & 0x7fffffffu;
+        list.must_walk = must_walk;
         objects.insert(objects.end(), found.begin(), found.end());
     }
 }

@@ -1,99 +1,47 @@
 #include "accel/lights/light_trees.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <tuple>
+#include <utility>
 
-#include "accel/beam.h"
 #include "accel/lights/beam_objects.h"
-#include "accel/lights/beam_planes.h"
+#include "accel/lights/lamp_tree.h"
 
 namespace enfilade::accel {
 namespace {
 
-/// One lamp's beams; parents, planes and tints counted from its own first ones.
-struct Tree {
-    std::vector<LightBeam> beams;
-    std::vector<BeamPlane> planes;
-    std::vector<Vertex> tints;
-    std::vector<CellId> cells;  ///< of a lamp without tree: where it may be seen
-};
+using detail::LampTree;
 
-constexpr std::uint32_t most_planes = 1023;
+constexpr std::uint32_t most_tints = 1u << 22;
 
-/// How far a walk in float may be from the truth (render/oracle.h, `error_band`), in grid units.
-std::int64_t float_margin(const SceneView& view) {
-    double largest = 0;
-    for (int k = 0; k < 3; ++k)
-        largest = std::max(
-            {largest, std::abs(double{view.locator_nodes[0].low[k]}), std::abs(double{view.locator_nodes[0].high[k]})});
-    return static_cast<std::int64_t>(std::ceil(16 * largest * 0x1p-24 / view.unit + 2));
+std::vector<LampTree> build_each(const SceneView& view, LightTreeOptions options, const Executor& executor) {
+    std::vector<LampTree> trees(view.lights.size());
+    const std::size_t lamps = std::max<std::size_t>(trees.size(), 1);
+    options.most_beams =
+        static_cast<std::uint32_t>(std::min<std::size_t>(options.most_beams, options.most_beams_in_all / lamps));
+    const std::size_t grain = std::clamp<std::size_t>(trees.size() / 64, 1, 16);
+    parallel_for(executor, trees.size(), grain, [&](std::size_t begin, std::size_t end) {
+        detail::LampTreeBuilder builder(view, options);
+        for (std::size_t i = begin; i < end; ++i) trees[i] = builder.build(view.lights[i]);
+    });
+    return trees;
 }
 
-class TreeBuilder {
+/// Tints by their number, each one once.
+class TintTable {
 public:
-    TreeBuilder(const SceneView& view, const LightTreeOptions& options)
-        : view_(view),
-          options_(options),
-          margin_(options.margin.value_or(float_margin(view))),
-          walker_(view, {.margin = margin_, .through_glass = options.through_glass, .max_beams = 0}) {}
-
-    [[nodiscard]] Tree build(const Light& light) {
-        Tree tree;
-        if (light.cell == none<CellId>) return tree;
-        const std::array<double, 3> lamp = {light.position[0], light.position[1], light.position[2]};
-        const BeamSource source = source_at(view_, light.cell, lamp);
-        if (!options_.trees || !follow(lamp, source, tree)) list_cells(source, tree);
-        return tree;
+    std::uint32_t number_of(const Vertex& tint) {
+        const auto [at, is_new] =
+            known_.try_emplace({tint.x, tint.y, tint.z}, static_cast<std::uint32_t>(tints_.size()));
+        if (is_new) tints_.push_back(tint);
+        return at->second;
     }
+    [[nodiscard]] std::vector<Vertex> take() { return std::move(tints_); }
 
 private:
-    bool follow(const std::array<double, 3>& lamp, const BeamSource& source, Tree& tree) {
-        walker_.start(source);
-        while (const BeamStep* step = walker_.next()) {
-            if (tree.beams.size() == options_.most_beams) return false;
-            LightBeam beam = {static_cast<std::uint32_t>(tree.planes.size()), step->parent, step->cell, 0, 0};
-            Vertex tint = {1, 1, 1};
-            if (step->depth > 0) {
-                const LightBeam parent = tree.beams[step->parent];
-                for (std::uint32_t p = 0; p < parent.plane_count; ++p)
-                    tree.planes.push_back(BeamPlane(tree.planes[parent.first_plane + p]));
-                detail::add_portal_planes(view_, lamp, *step, margin_, tree.planes);
-                tint = tinted(tree.tints[parent.tint], *step);
-            }
-            const std::size_t planes = tree.planes.size() - beam.first_plane;
-            if (planes > most_planes) return false;
-            beam.tint = number_of(tree, tint) & 0x3fffffu;
-            beam.plane_count = planes & most_planes;
-            tree.beams.push_back(beam);
-        }
-        return true;
-    }
-
-    [[nodiscard]] Vertex tinted(Vertex tint, const BeamStep& step) const {
-        const Portal& portal = view_.portals[index(step.portal)];
-        if (portal.kind() != PortalKind::Glass) return tint;
-        const Vertex& glass = view_.tints[portal.tint()];
-        return {tint.x * glass.x, tint.y * glass.y, tint.z * glass.z};
-    }
-
-    static std::uint32_t number_of(Tree& tree, const Vertex& tint) {
-        for (std::size_t i = 0; i < tree.tints.size(); ++i)
-            if (tree.tints[i].x == tint.x && tree.tints[i].y == tint.y && tree.tints[i].z == tint.z)
-                return static_cast<std::uint32_t>(i);
-        tree.tints.push_back(tint);
-        return static_cast<std::uint32_t>(tree.tints.size() - 1);
-    }
-
-    void list_cells(const BeamSource& source, Tree& tree) const {
-        tree = {};
-        tree.cells = reachable_cells(view_, source, {.margin = margin_, .through_glass = options_.through_glass});
-    }
-
-    const SceneView& view_;
-    const LightTreeOptions& options_;
-    std::int64_t margin_;
-    BeamWalker walker_;
+    std::vector<Vertex> tints_;
+    std::map<std::tuple<float, float, float>, std::uint32_t> known_;
 };
 
 }  // namespace
@@ -108,48 +56,80 @@ LightTreesView LightTrees::view() const {
             {beam_objects_.data(), beam_objects_.size()}};
 }
 
+LightTreeFigures LightTrees::figures() const {
+    LightTreeFigures f = figures_;
+    const auto bytes = [](const auto& array) { return array.size() * sizeof array[0]; };
+    f.beams = beams_.size();
+    f.planes = planes_.size();
+    f.objects = beam_objects_.size();
+    f.list_bytes = bytes(cell_offsets_) + bytes(cell_lights_);
+    f.tree_bytes = bytes(beams_) + bytes(planes_) + bytes(tints_);
+    f.object_bytes = bytes(beam_object_lists_) + bytes(beam_objects_);
+    for (std::size_t c = 0; c + 1 < cell_offsets_.size(); ++c) {
+        const std::size_t entries = cell_offsets_[c + 1] - cell_offsets_[c];
+        std::size_t lamps = 0;
+        for (std::uint32_t k = cell_offsets_[c]; k < cell_offsets_[c + 1]; ++k)
+            lamps += k == cell_offsets_[c] || cell_lights_[k].light != cell_lights_[k - 1].light ? 1 : 0;
+        f.lit_cells += entries > 0 ? 1 : 0;
+        f.listed_lamps += lamps;
+        f.longest_list = std::max(f.longest_list, lamps);
+        f.most_entries = std::max(f.most_entries, entries);
+    }
+    return f;
+}
+
 std::size_t LightTrees::bytes() const {
-    return cell_offsets_.size() * sizeof cell_offsets_[0] + cell_lights_.size() * sizeof cell_lights_[0] +
-           beams_.size() * sizeof beams_[0] + planes_.size() * sizeof planes_[0] + tints_.size() * sizeof tints_[0] +
-           beam_object_lists_.size() * sizeof beam_object_lists_[0] + beam_objects_.size() * sizeof beam_objects_[0];
+    const LightTreeFigures f = figures();
+    return f.list_bytes + f.tree_bytes + f.object_bytes;
 }
 
 LightTrees build_light_trees(const SceneView& view, const LightTreeOptions& options, const Executor& executor) {
-    std::vector<Tree> trees(view.lights.size());
-    constexpr std::size_t grain = 16;
-    parallel_for(executor, trees.size(), grain, [&](std::size_t begin, std::size_t end) {
-        TreeBuilder builder(view, options);
-        for (std::size_t i = begin; i < end; ++i) trees[i] = builder.build(view.lights[i]);
-    });
+    const std::vector<LampTree> trees = build_each(view, options, executor);
 
+    // Lists and beams by cell: what is asked together lies together.
     LightTrees all;
+    std::vector<std::uint32_t> beam_offsets(view.cells.size() + 1, 0);
     all.cell_offsets_.assign(view.cells.size() + 1, 0);
-    all.tints_.push_back({1, 1, 1});
-    for (const Tree& tree : trees) {
-        for (const LightBeam& beam : tree.beams) ++all.cell_offsets_[index(beam.cell) + 1];
+    for (const LampTree& tree : trees) {
+        for (const LightBeam& beam : tree.beams) ++beam_offsets[index(beam.cell) + 1];
         for (const CellId cell : tree.cells) ++all.cell_offsets_[index(cell) + 1];
     }
-    for (std::size_t c = 0; c < view.cells.size(); ++c) all.cell_offsets_[c + 1] += all.cell_offsets_[c];
-    all.cell_lights_.resize(all.cell_offsets_.back());
-    std::vector<std::uint32_t> next(all.cell_offsets_.begin(), all.cell_offsets_.end() - 1);
-    for (std::size_t i = 0; i < trees.size(); ++i) {
-        const Tree& tree = trees[i];
-        const auto light = static_cast<LightId>(i);
-        if (!tree.cells.empty() && options.trees) ++all.without_tree_;
-        for (const CellId cell : tree.cells) all.cell_lights_[next[index(cell)]++] = {light, no_beam};
-        const auto first_beam = static_cast<std::uint32_t>(all.beams_.size());
-        const auto first_plane = static_cast<std::uint32_t>(all.planes_.size());
-        const auto first_tint = static_cast<std::uint32_t>(all.tints_.size());
-        for (const LightBeam& beam : tree.beams) {
-            all.cell_lights_[next[index(beam.cell)]++] = {light, static_cast<std::uint32_t>(all.beams_.size())};
-            const Vertex& tint = tree.tints[beam.tint];
-            const bool is_clear = tint.x == 1 && tint.y == 1 && tint.z == 1;
-            all.beams_.push_back({first_plane + beam.first_plane, first_beam + beam.parent, beam.cell,
-                                  is_clear ? 0 : (first_tint + beam.tint) & 0x3fffffu, beam.plane_count});
-        }
-        all.planes_.insert(all.planes_.end(), tree.planes.begin(), tree.planes.end());
-        all.tints_.insert(all.tints_.end(), tree.tints.begin(), tree.tints.end());
+    for (std::size_t c = 0; c < view.cells.size(); ++c) {
+        all.cell_offsets_[c + 1] += all.cell_offsets_[c] + beam_offsets[c + 1];
+        beam_offsets[c + 1] += beam_offsets[c];
     }
+    all.cell_lights_.resize(all.cell_offsets_.back());
+    all.beams_.resize(beam_offsets.back());
+    std::vector<std::uint32_t> next(all.cell_offsets_.begin(), all.cell_offsets_.end() - 1);
+    std::vector<std::uint32_t> next_beam(beam_offsets.begin(), beam_offsets.end() - 1);
+    std::vector<std::vector<std::uint32_t>> numbers(trees.size());
+    TintTable tints;
+    tints.number_of({1, 1, 1});
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const LampTree& tree = trees[i];
+        const auto light = static_cast<LightId>(i);
+        for (const CellId cell : tree.cells) all.cell_lights_[next[index(cell)]++] = {light, no_beam};
+        for (const LightBeam& beam : tree.beams) {
+            const std::uint32_t number = next_beam[index(beam.cell)]++;
+            numbers[i].push_back(number);
+            all.cell_lights_[next[index(beam.cell)]++] = {light, number};
+            all.beams_[number] = {0, numbers[i][beam.parent], beam.cell, 0, beam.plane_count};
+            all.beams_[number].tint = tints.number_of(tree.tints[beam.tint]) & (most_tints - 1);
+        }
+    }
+    all.tints_ = tints.take();
+    std::uint32_t planes = 0;
+    for (LightBeam& beam : all.beams_) beam.first_plane = std::exchange(planes, planes + beam.plane_count);
+    all.planes_.resize(planes);
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        for (std::size_t b = 0; b < trees[i].beams.size(); ++b)
+            std::copy_n(trees[i].planes.begin() + trees[i].beams[b].first_plane, trees[i].beams[b].plane_count,
+                        all.planes_.begin() + all.beams_[numbers[i][b]].first_plane);
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        all.figures_.in_solids += view.lights[i].cell == none<CellId> ? 1 : 0;
+        all.figures_.without_tree += options.trees && !trees[i].cells.empty() ? 1 : 0;
+    }
+    all.figures_.lamps = trees.size();
     if (options.objects && options.trees && view.has_objects())
         detail::list_objects(view, all.view(), executor, all.beam_object_lists_, all.beam_objects_);
     return all;

@@ -92,8 +92,29 @@ struct LightTreeOptions {
     bool objects = true;  ///< which objects can stand in each beam; nothing where the scene has none
     /// Grid units by which light may miss a portal's edge and still be followed; nothing: what a walk in float may.
     std::optional<std::int64_t> margin = std::nullopt;
+    /// The lists are those of balls as large as the lamps' radii; the trees stay those of their centres.
+    bool balls = false;
     /// Lamps whose light takes more ways than this have no tree.
     std::uint32_t most_beams = 1u << 16;
+    /// The same for all lamps together, shared out evenly: it bounds the memory, at about 60 B a beam.
+    std::uint32_t most_beams_in_all = 1u << 25;
+};
+
+/// What light trees hold.
+struct LightTreeFigures {
+    std::size_t lamps = 0;
+    std::size_t in_solids = 0;     ///< lamps that light nothing
+    std::size_t without_tree = 0;  ///< lamps whose light takes too many ways
+    std::size_t beams = 0;         ///< one for each portal that a lamp's light crosses, and one for the lamp
+    std::size_t planes = 0;
+    std::size_t objects = 0;       ///< in the lists of beams
+    std::size_t lit_cells = 0;     ///< that list a lamp
+    std::size_t listed_lamps = 0;  ///< in the lists of all cells, each once a cell
+    std::size_t longest_list = 0;  ///< lamps in a cell's list
+    std::size_t most_entries = 0;  ///< ways of lamps in a cell's list
+    std::size_t list_bytes = 0;
+    std::size_t tree_bytes = 0;
+    std::size_t object_bytes = 0;
 };
 
 /// Owns the arrays. Movable; views stay valid while it lives.
@@ -102,7 +123,9 @@ public:
     [[nodiscard]] LightTreesView view() const;
     [[nodiscard]] std::size_t bytes() const;
     /// Lamps that have none, because their light takes too many ways.
-    [[nodiscard]] std::size_t lamps_without_tree() const { return without_tree_; }
+    [[nodiscard]] std::size_t lamps_without_tree() const { return figures_.without_tree; }
+    /// Cost: linear in the cells and their lists.
+    [[nodiscard]] LightTreeFigures figures() const;
 
 private:
     friend LightTrees build_light_trees(const SceneView&, const LightTreeOptions&, const Executor&);
@@ -114,7 +137,7 @@ private:
     std::vector<Vertex> tints_;
     std::vector<BeamObjects> beam_object_lists_;
     std::vector<ObjectId> beam_objects_;
-    std::size_t without_tree_ = 0;
+    LightTreeFigures figures_;  ///< what the arrays do not say
 };
 
 /// Follows the light of each of the view's lamps through its portals. Conservative: no lamp that a ray reaches is
