@@ -78,7 +78,9 @@ HWY_INLINE bool aim_at_lamp(const accel::Light& light, const LitBlock<Packet::la
         const auto valid = hn::And(hn::Load(di, to.asking + k), hn::VecFromMask(di, hn::RebindMask(di, faces)));
         any = any || !hn::AllFalse(di, hn::Lt(valid, hn::Zero(di)));
         hn::Store(valid, di, to.valid + k);
-        hn::Store(hn::Mul(hn::Mul(towards, inverse), hn::Mul(inverse, inverse)), d, to.share + k);
+        // Never an infinite share, however near the lamp is (lamp_light.h).
+        const auto share = hn::Mul(hn::Mul(towards, inverse), hn::Mul(inverse, inverse));
+        hn::Store(hn::Min(share, hn::Set(d, 1e12f)), d, to.share + k);
         const auto skin = hn::Mul(hn::Set(d, shadow_skin), inverse);
         const V& start = from_lamp ? lamp : place;
         hn::Store(start.x, d, to.ray.org_x + k);

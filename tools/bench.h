@@ -151,6 +151,7 @@ void bench_edit(Bench& bench);
 void bench_furnished(Bench& bench);
 void bench_furniture(Bench& bench);
 void bench_gmap(Bench& bench);
+void bench_lights(Bench& bench);
 void bench_octree(Bench& bench);
 void bench_queries(Bench& bench);
 void bench_scene(Bench& bench);

@@ -30,6 +30,8 @@ constexpr std::array entries = {
     Entry{"furniture", "objects placed by rule: time, guarantees, and how much finds a place", bench_furniture},
     Entry{"octree", "octrees over single meshes, against Embree's trees on the same rays", bench_octree},
     Entry{"furnished", "tracing furnished floors, against Embree's instances on the same rays", bench_furnished},
+    Entry{"lights", "pictures lit by many lamps: walks, lists and light trees, against Embree with the same lists",
+          bench_lights},
     Entry{"dial", "what each option costs in time and memory, and what it errs", bench_dial},
 };
 
