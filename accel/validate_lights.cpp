@@ -4,6 +4,7 @@ namespace enfilade::accel::detail {
 namespace {
 
 constexpr float place_limit = 1e12f;
+constexpr float brightest = 1e18f;  ///< candela: a micrometre away still no infinity (render/lamp_light.h)
 
 bool is_place(const std::array<float, 3>& p) {
     return std::abs(p[0]) <= place_limit && std::abs(p[1]) <= place_limit && std::abs(p[2]) <= place_limit;
@@ -11,7 +12,7 @@ bool is_place(const std::array<float, 3>& p) {
 
 bool is_intensity(const std::array<float, 3>& c) {
     for (const float v : c)
-        if (!(v >= 0 && is_finite(v))) return false;
+        if (!(v >= 0 && v <= brightest)) return false;
     return true;
 }
 

@@ -1,8 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <charconv>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "accel/scene_file.h"
@@ -15,36 +12,18 @@
 #include "tools/commands.h"
 #include "tools/count_pictures.h"
 #include "tools/exit_code.h"
-#include "tools/mesh_scene.h"
+#include "tools/lit_pictures.h"
 #include "tools/object_accel.h"
 #include "tools/picture_files.h"
+#include "tools/picture_scene.h"
 #include "tools/progress.h"
 #include "tools/ray_report.h"
+#include "tools/shots.h"
 #include "tools/trace_flags.h"
-#include "tools/view.h"
-#include "tools/view_file.h"
 
 namespace enfilade::tools {
 
 namespace {
-
-constexpr int largest_side = 32768;
-
-/// "640x480"
-std::array<int, 2> parse_size(const std::string& text) {
-    std::array<int, 2> size = {};
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size[0]);
-    const bool has_x = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = has_x ? std::from_chars(width.ptr + 1, end, size[1]) : width;
-    for (const int side : size)
-        if (!has_x || height.ec != std::errc() || height.ptr != end || side < 1 || side > largest_side)
-            throw InputError("F111", "",
-                             "--size \"" + text +
-                                 "\" is no size: give width x height in pixels, like 1280x960, at most " +
-                                 std::to_string(largest_side) + " each.");
-    return size;
-}
 
 /// Tells a progress bar how many chunks are done, of one picture of several.
 class WatchedExecutor final : public accel::Executor {
@@ -66,60 +45,8 @@ private:
     double all_;
 };
 
-/// A picture to make, and what became of it.
-struct Shot {
-    std::string name;  ///< in the view file; empty without one
-    View view;
-    std::optional<accel::CellId> cell;  ///< of the view file
-    double seconds = 0;
-};
-
-const char* usual_camera(const RenderOptions& options) {
-    return is_mesh_file(options.scene) ? "exterior" : "dollhouse";
-}
-
-/// Rows of the files that the colour scale takes: the pictures above it are so much less high.
-int scale_rows(const RenderOptions& options) {
-    const auto [width, height] = parse_size(options.size);
-    return options.show.empty() ? 0 : bar_rows(width, height);
-}
-
-/// Width and height of what a camera sees.
-std::pair<int, int> picture_size(const RenderOptions& options) {
-    const auto [width, height] = parse_size(options.size);
-    return {width, height - scale_rows(options)};
-}
-
-Shot chosen_shot(const RenderOptions& options, const accel::SceneView& scene) {
-    const auto [width, height] = picture_size(options);
-    return {{},
-            !options.room.empty()
-                ? room_view(scene, options.room, width, height)
-                : named_view(scene, options.camera.empty() ? usual_camera(options) : options.camera, width, height),
-            {}};
-}
-
-std::vector<Shot> chosen_shots(const RenderOptions& options, const accel::SceneView& scene, const Console& console) {
-    std::vector<Shot> shots;
-    if (options.views.empty()) {
-        shots.push_back(chosen_shot(options, scene));
-    } else {
-        const ViewFile file = read_views(options.views, scene);
-        if (!file.relocated.empty() && !console.quiet()) console.warn(file.warning(options.views));
-        for (const SavedView& view : file.views) shots.push_back({view.name, {view.camera, {}}, view.cell});
-    }
-    const auto [width, height] = picture_size(options);
-    for (Shot& shot : shots) {
-        shot.view.camera.width = width;
-        shot.view.camera.height = height;
-        if (options.fov_deg) shot.view.camera.fov_deg = *options.fov_deg;
-    }
-    return shots;
-}
-
 render::Image render_view(const RenderOptions& options, const TracerChoice& choice, const accel::SceneView& scene,
-                          const Shot& shot, const render::ObjectTracer* objects, const accel::Executor& executor,
-                          render::RayStats& stats) {
+                          const Shot& shot, render::TraceOptions trace, const LitPictures& lit) {
     const View& view = shot.view;
     if (choice.is_oracle) {
         if (view.cut_z)
@@ -128,6 +55,17 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
                              "--camera X,Y,Z:X,Y,Z.");
         return render::trace_by_oracle(scene, view.camera, int(options.samples * options.samples), choice.mirror_floor);
     }
+    trace.start = shot.cell;
+    trace.cut_z = view.cut_z;
+    lit.light(trace);
+    // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
+    if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
+    return render::trace(scene, view.camera, trace);
+}
+
+/// What all pictures of a run share.
+render::TraceOptions shared_options(const RenderOptions& options, const TracerChoice& choice,
+                                    const render::ObjectTracer* objects, const accel::Executor& executor) {
     render::TraceOptions trace;
     trace.tracer = choice.tracer;
     trace.precision = choice.precision;
@@ -135,60 +73,25 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     trace.mirror_floor = choice.mirror_floor;
     trace.shading = options.shading == "lambert" ? render::Shading::Lambert : render::Shading::Look;
     trace.samples_per_pixel = int(options.samples * options.samples);
-    trace.start = shot.cell;
-    trace.cut_z = view.cut_z;
-    // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
-    if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
     trace.executor = &executor;
     trace.objects = objects;
-    trace.stats = &stats;
-    return render::trace(scene, view.camera, trace);
+    return trace;
 }
 
-std::optional<modeler::UpAxis> up_axis(const RenderOptions& options) {
-    if (options.up.empty()) return std::nullopt;
-    return options.up == "y" ? modeler::UpAxis::Y : modeler::UpAxis::Z;
-}
-
-/// Flags that a mesh, or nothing but a mesh, can do with.
-void check_mesh_flags(const RenderOptions& options, const TracerChoice& choice) {
-    const bool is_mesh = is_mesh_file(options.scene);
-    if (!is_mesh && !options.up.empty())
-        throw InputError("F148", "", "--up says how a mesh stands, and this is none: leave it out.");
-    if (is_mesh && choice.is_oracle)
-        throw InputError("F148", "", "The oracle sees no objects, so it shows no mesh: choose another --tracer.");
-    if (is_mesh && !options.room.empty())
-        throw InputError("F148", "",
-                         "A mesh by itself has no rooms: give --camera exterior, aerial or X,Y,Z:X,Y,Z instead of "
-                         "--room.");
-    if (is_mesh && options.camera.starts_with("dollhouse"))
-        throw InputError("F148", "",
-                         "A mesh by itself has no storey to cut open: give --camera exterior, aerial or X,Y,Z:X,Y,Z.");
-    if (is_mesh && options.no_objects)
-        throw InputError("F148", "", "A picture of a mesh shows nothing but that: leave out --no-objects.");
-    if (is_mesh && options.mirror_floor)
-        throw InputError("F148", "", "A mesh by itself stands on no floor that mirrors: leave out --mirror-floor.");
-}
-
-/// The scene file; what is none is told what would be one.
-accel::Scene opened(const std::filesystem::path& file) {
-    try {
-        return accel::open(file);
-    } catch (const InputError& error) {
-        std::array<char, 8> begin = {};
-        std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
-        if (error.code != "F1" || file.extension() == ".enf" || std::string_view(begin.data(), 8) == "ENFILADE") throw;
-    }
-    const std::string ending = file.extension().string();
-    if (ending == ".gz" || ending == ".zip" || ending == ".xz" || ending == ".bz2")
-        throw InputError("F148", file.string(), "The file is compressed: unpack it first, and give what was in it.");
-    throw InputError("F148", file.string(),
-                     "This is neither a scene (.enf, as \"enfilade build\" makes them) nor a mesh by its ending: .obj, "
-                     ".gltf, .glb, .ply, .off and .stl are read.");
+/// Candela / m2 rather than parts of white.
+bool is_linear(const RenderOptions& options, const LightChoice& lights) {
+    return !lights.exposure_ev && options.lights.exposure.empty() && options.output.extension() == ".exr";
 }
 
 /// Whether --show asks for what rays do inside of objects.
 bool counts_octrees(const RenderOptions& options) { return options.show == "leaves" || options.show == "blocks"; }
+
+/// What the flags ask for.
+struct Choices {
+    TracerChoice tracer;
+    ObjectAccelChoice accel;
+    LightChoice lights;
+};
 
 /// What one run made.
 struct Pictures {
@@ -197,6 +100,7 @@ struct Pictures {
     std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
     render::RayStats stats;
     ObjectsSummary objects;
+    LitPictures lit;                ///< its scene is gone, too
     std::optional<MeshScene> mesh;  ///< where the pictures are of one; its scene is gone
     std::string counted;            ///< what false colours show; empty: pictures of light
     nlohmann::ordered_json counts;
@@ -212,12 +116,14 @@ struct Pictures {
     }
 };
 
-Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice, const ObjectAccelChoice& accel,
-                       const Console& console) {
+Pictures make_pictures(const RenderOptions& options, const Choices& choices, const Console& console) {
+    const TracerChoice& choice = choices.tracer;
     Pictures made;
-    Progress progress(console, {"Reading the scene", "Rendering", "Writing"});
+    std::vector<std::string> steps = {"Reading the scene", "Rendering", "Writing"};
+    if (choices.lights.search) steps.insert(steps.begin() + 1, "Following the light");
+    Progress progress(console, steps);
     if (is_mesh_file(options.scene)) made.mesh = scene_of_mesh(options.scene, up_axis(options));
-    const accel::Scene scene = made.mesh ? std::move(made.mesh->scene) : opened(options.scene);
+    const accel::Scene scene = made.mesh ? std::move(made.mesh->scene) : opened_scene(options.scene);
     const accel::SceneView view = options.no_objects ? without_objects(scene.view()) : scene.view();
     std::copy_n(view.origin, 3, made.origin.begin());
     progress.next();
@@ -229,7 +135,7 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     std::optional<CountPictures> counts;
     PreparedObjects prepared;
     if (!choice.is_oracle && (options.show.empty() || counts_octrees(options)))
-        prepared = prepare_objects(view, accel, *cores);
+        prepared = prepare_objects(view, choices.accel, *cores);
     if (!options.show.empty()) {
         if (counts_octrees(options) && prepared.accel == nullptr)
             throw InputError("F139", options.scene.string(),
@@ -242,13 +148,20 @@ Pictures make_pictures(const RenderOptions& options, const TracerChoice& choice,
     made.objects = prepared.summary;
     const render::ObjectTracer tracer = prepared.accel ? prepared.accel->tracer() : render::ObjectTracer{};
     const render::ObjectTracer* objects = prepared.accel ? &tracer : nullptr;
+    render::TraceOptions shared = shared_options(options, choice, objects, *cores);
+    if (choices.lights.search) {
+        made.lit = LitPictures(view, choices.lights, made.shots, shared, is_linear(options, choices.lights));
+        progress.next();
+    }
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
+        shared.executor = &watched;
+        shared.stats = &made.stats;
         render::Image image;
         shot.seconds = seconds_of([&] {
             image = counts ? counts->picture(shot.view, watched, scale_rows(options))
-                           : render_view(options, choice, view, shot, objects, watched, made.stats);
+                           : render_view(options, choice, view, shot, shared, made.lit);
         });
         files.write(k, image);
     }
@@ -293,6 +206,7 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     json["objects"] = made.objects.json();
     if (made.mesh) json["mesh"] = made.mesh->json();
     json["shading"] = options.shading;
+    json["lights"] = made.lit.json();
     const auto [width, height] = parse_size(options.size);
     json["width"] = width;
     json["height"] = height;
@@ -326,9 +240,13 @@ int run_render(const RenderOptions& options, const Console& console) {
     if (options.no_objects) refuse_object_accel(options.object_accel, "With --no-objects rays see no objects");
     if (!options.show.empty() && !counts_octrees(options))
         refuse_object_accel(options.object_accel, "--show " + options.show + " counts past all objects");
-    const ObjectAccelChoice accel =
-        object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : "");
-    const Pictures made = make_pictures(options, choice, accel, console);
+    const Choices choices = {
+        choice, object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : ""),
+        light_choice(options)};
+    const Pictures made = make_pictures(options, choices, console);
+    if (choices.lights.search && !made.lit.are_lit() && !console.quiet())
+        console.warn("There is no lamp in " + options.scene.string() +
+                     ", so the picture is lit as without --lights: build the scene with --lamps.");
     if (console.json()) {
         console.print(dump(render_json(options, choice, made)));
         return exit_ok;
@@ -338,9 +256,10 @@ int run_render(const RenderOptions& options, const Console& console) {
                 (made.paths.size() == 1 ? ": " + size
                                         : " to " + made.paths.back().filename().string() + ": " +
                                               counted(made.paths.size(), "picture") + " of " + size) +
-                " in " + time_text(made.seconds()) + (made.counted.empty() ? "" : "; " + made.counted) + '.');
+                " in " + time_text(made.seconds()) + (made.counted.empty() ? "" : "; " + made.counted) +
+                (made.lit.are_lit() ? "; " + made.lit.text() : "") + '.');
     if (made.mesh) console.say(options.scene.filename().string() + ": " + made.mesh->report() + '.');
-    if (options.stats) console.print(ray_report(made.stats, made.pixels()) + made.objects.report());
+    if (options.stats) console.print(ray_report(made.stats, made.pixels()) + made.objects.report() + made.lit.report());
     return exit_ok;
 }
 

@@ -73,6 +73,7 @@ struct FurnishFlags {
     std::filesystem::path views;         ///< the same for cameras
     bool lit = false;                    ///< and what lamps shine through on their way there
     bool no_plan_furniture = false;      ///< the plan's own pieces stay away
+    std::optional<std::string> lamps;    ///< a lamp rule file, or empty for the program's own; nothing: none by rule
 };
 
 struct BuildCommandOptions {
@@ -134,6 +135,13 @@ struct ObjectAccelFlags {
     std::string octree_real;    ///< "float" or "double"; empty: float
 };
 
+/// How lamps light pictures: flags of `render` (light_flags.h).
+struct LightFlags {
+    std::string search;                 ///< "none", "naive", "pvs" or "tree"; empty: none
+    std::string exposure;               ///< "auto", or an exposure value; empty: auto
+    std::optional<double> ambient_lux;  ///< nothing: by the exposure
+};
+
 struct RenderOptions {
     std::filesystem::path scene;   ///< or a mesh
     std::string up;                ///< of a mesh: "y" or "z"; empty: what its format usually has
@@ -150,6 +158,7 @@ struct RenderOptions {
     std::string show;    ///< "cells", "sides", "leaves" or "blocks" a ray in false colours; empty: light
     bool stats = false;  ///< say what happened to the rays
     ObjectAccelFlags object_accel;
+    LightFlags lights;
     bool no_objects = false;        ///< rooms without what stands in them
     std::optional<double> fov_deg;  ///< nothing: the view's own
     std::uint32_t samples = 2;

@@ -32,6 +32,9 @@ std::string ray_report(const render::RayStats& stats, std::uint64_t pixels) {
     text += line("cells entered", grouped(stats.cells), decimal(per(stats.cells, stats.rays), 2) + " a ray");
     text += line("sides tested", grouped(stats.side_tests), decimal(per(stats.side_tests, stats.rays), 2) + " a ray");
     if (stats.glass > 0) text += line("panes crossed", grouped(stats.glass));
+    if (stats.lamps_considered > 0)
+        text += line("lamps looked for", grouped(stats.lamps_considered),
+                     decimal(100 * per(stats.lamps_lit, stats.lamps_considered), 1) + " % of them shine there");
     if (stats.tiles > 0) {
         text += line("packets", grouped(stats.tiles), grouped(stats.splits) + " of them split");
         text += line("pixels filled whole", grouped(stats.filled),
@@ -49,6 +52,8 @@ nlohmann::ordered_json ray_json(const render::RayStats& stats, std::uint64_t pix
             {"cells_per_ray", per(stats.cells, stats.rays)},
             {"side_tests_per_ray", per(stats.side_tests, stats.rays)},
             {"glass", stats.glass},
+            {"lamps_looked_for", stats.lamps_considered},
+            {"lamps_that_shine", stats.lamps_lit},
             {"packets", stats.tiles},
             {"packet_splits", stats.splits},
             {"pixels", pixels},

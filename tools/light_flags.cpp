@@ -1,0 +1,71 @@
+#include "tools/light_flags.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/error.h"
+#include "tools/mesh_scene.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+constexpr double most_ambient = 1e6;  ///< lux; ten suns
+
+[[noreturn]] void refuse(const std::string& sentence) { throw InputError("F160", "", sentence); }
+
+/// The number that is all of `text`.
+std::optional<double> number(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<double> parse_exposure(const std::string& text) {
+    if (text.empty() || text == "auto") return std::nullopt;
+    const std::optional<double> ev = number(text);
+    if (!ev || *ev < darkest_ev || *ev > brightest_ev)
+        refuse("--exposure \"" + text +
+               "\" is none: give auto, or an exposure value from -20 to 30: 5 to 7 suit rooms lit by lamps.");
+    return ev;
+}
+
+void check_lit(const RenderOptions& options) {
+    if (options.tracer == "oracle") refuse("The oracle knows no lamp but the one at the eye: leave out --lights.");
+    if (!options.show.empty())
+        refuse("--show " + options.show + " shows what rays cost in place of light: leave out --lights.");
+    if (is_mesh_file(options.scene)) refuse("A mesh by itself has no lamps: leave out --lights.");
+}
+
+}  // namespace
+
+const char* LightChoice::name() const {
+    if (!search) return "none";
+    if (*search == render::LampSearch::Naive) return "naive";
+    return *search == render::LampSearch::Pvs ? "pvs" : "tree";
+}
+
+LightChoice light_choice(const RenderOptions& options) {
+    const LightFlags& flags = options.lights;
+    LightChoice choice;
+    if (flags.search.empty() || flags.search == "none") {
+        for (const auto& [is_given, flag] :
+             {std::pair(!flags.exposure.empty(), "--exposure"), std::pair(flags.ambient_lux.has_value(), "--ambient")})
+            if (is_given) refuse(std::string(flag) + " is for pictures lit by lamps: give --lights tree, too.");
+        return choice;
+    }
+    check_lit(options);
+    choice.search = flags.search == "naive" ? render::LampSearch::Naive
+                    : flags.search == "pvs" ? render::LampSearch::Pvs
+                                            : render::LampSearch::Tree;
+    choice.exposure_ev = parse_exposure(flags.exposure);
+    choice.ambient_lux = flags.ambient_lux;
+    if (choice.ambient_lux && !(*choice.ambient_lux >= 0 && *choice.ambient_lux <= most_ambient))
+        refuse("--ambient is lux, from 0 to 1000000: 10 suit a room whose lamps give 100.");
+    if (choice.ambient_lux && options.shading == "lambert")
+        refuse("With --shading lambert lamps shine alone: leave out --ambient.");
+    return choice;
+}
+
+}  // namespace enfilade::tools

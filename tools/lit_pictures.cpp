@@ -1,0 +1,152 @@
+#include "tools/lit_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "plans/number_text.h"
+#include "tools/bench.h"
+#include "tools/console.h"
+
+namespace enfilade::tools {
+
+namespace {
+
+constexpr double usual_ev = 6;         ///< where nothing in a picture is lit: a room in the evening
+constexpr int metered_side = 128;      ///< pixels
+constexpr double metered_share = 0.9;  ///< of the lit pixels, that are to be no brighter than ...
+constexpr double metered_value = 0.8;  ///< ... this part of white
+constexpr double ambient_share = 0.1;  ///< of white, that a white face in the open has of no lamp
+
+render::Vec3f scaled(double s, render::Vec3f v) { return static_cast<float>(s) * v; }
+
+double luminance(const float* rgb) {
+    return 0.2126 * double{rgb[0]} + 0.7152 * double{rgb[1]} + 0.0722 * double{rgb[2]};
+}
+
+render::Camera small(render::Camera camera) {
+    const int longer = std::max(camera.width, camera.height);
+    if (longer > metered_side) {
+        camera.width = std::max(1, camera.width * metered_side / longer);
+        camera.height = std::max(1, camera.height * metered_side / longer);
+    }
+    return camera;
+}
+
+}  // namespace
+
+double white_luminance(double ev) { return 1.2 * std::exp2(ev); }
+double exposure_value(double white_luminance) { return std::log2(white_luminance / 1.2); }
+
+LitPictures::LitPictures(const accel::SceneView& scene, const LightChoice& choice, std::span<const Shot> shots,
+                         render::TraceOptions how, bool is_linear)
+    : choice_(choice), cell_count_(scene.cells.size()), is_linear_(is_linear) {
+    if (!choice.search || scene.lights.size() == 0) return;
+    lamp_count_ = scene.lights.size();
+    for (const accel::Light& light : scene.lights) walled_ += light.cell == none<accel::CellId> ? 1 : 0;
+    if (*choice.search != render::LampSearch::Naive)
+        seconds_ = seconds_of([&] {
+            trees_ =
+                accel::build_light_trees(scene, {.trees = *choice.search == render::LampSearch::Tree}, *how.executor);
+        });
+    ev_ = choice.exposure_ev.value_or(usual_ev);
+    if (!choice.exposure_ev) meter(scene, shots, how);
+}
+
+void LitPictures::meter(const accel::SceneView& scene, std::span<const Shot> shots, const render::TraceOptions& how) {
+    std::vector<double> lit;
+    for (const Shot& shot : shots) {
+        render::TraceOptions trace = how;
+        trace.tracer = render::Tracer::Scalar;
+        trace.precision = render::Precision::Float;
+        trace.shading = render::Shading::Lambert;
+        trace.samples_per_pixel = 1;
+        trace.stats = nullptr;
+        trace.start = shot.cell;
+        trace.cut_z = shot.view.cut_z;
+        trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper = trace.look.cut = {0, 0, 0};
+        trace.lamps = lamps(1);
+        const render::Image image = render::trace(scene, small(shot.view.camera), trace);
+        for (std::size_t p = 0; p < image.rgb.size(); p += 3) {
+            const double value = luminance(&image.rgb[p]);
+            if (value > 0 && std::isfinite(value)) lit.push_back(value);
+        }
+    }
+    if (lit.empty()) return;
+    const auto rank = std::min(lit.size() - 1, std::size_t(metered_share * double(lit.size())));
+    std::ranges::nth_element(lit, lit.begin() + std::ptrdiff_t(rank));
+    // Tenths: so that what is said can be asked for, and pictures a hair apart are exposed alike.
+    ev_ = std::clamp(std::round(10 * exposure_value(lit[rank] / metered_value)) / 10, darkest_ev, brightest_ev);
+}
+
+render::LampOptions LitPictures::lamps(double exposure) const {
+    return {*choice_.search, static_cast<float>(exposure),
+            *choice_.search == render::LampSearch::Naive ? nullptr : &trees_};
+}
+
+double LitPictures::ambient_lux() const {
+    return choice_.ambient_lux.value_or(ambient_share * std::numbers::pi * white_luminance(ev_));
+}
+
+void LitPictures::light(render::TraceOptions& trace) const {
+    if (!are_lit()) return;
+    const double white = white_luminance(ev_);
+    trace.lamps = lamps(is_linear_ ? 1 : 1 / white);
+    render::Look& look = trace.look;
+    const double scale = is_linear_ ? white : 1;
+    look.sky_zenith = scaled(scale, {0.010f, 0.016f, 0.034f});
+    look.sky_horizon = scaled(scale, {0.034f, 0.044f, 0.072f});
+    look.paper = scaled(scale, {0.080f, 0.086f, 0.100f});
+    if (is_linear_) look.shoulder = 1;
+    if (trace.shading != render::Shading::Look) return;
+    const double ambient = ambient_lux() / (std::numbers::pi * white) * scale;
+    look.sun = {0, 0, 0};
+    look.sun_direction = {0, 0, -1};
+    look.headlight = 0;
+    look.ambient = scaled(ambient, {0.96f, 0.99f, 1.05f});
+}
+
+std::string LitPictures::text() const {
+    return counted(lamp_count_, "lamp") + ", exposure " + plans::rounded_text(ev_, 1) + " EV";
+}
+
+std::string LitPictures::report() const {
+    if (!are_lit()) return {};
+    std::string text = "lamps: " + grouped(lamp_count_);
+    if (walled_ != 0) text += ", of which " + grouped(walled_) + " in walls light nothing";
+    if (*choice_.search != render::LampSearch::Naive) {
+        const accel::LightTreesView view = trees_.view();
+        text += "; " + plans::rounded_text(double(view.cell_lights.size()) / double(cell_count_), 2) +
+                " entries in a cell's list";
+        if (*choice_.search == render::LampSearch::Tree)
+            text += ", " + counted(view.beams.size(), "beam") + ", " + counted(view.planes.size(), "plane");
+        text += ", " + byte_text(double(trees_.bytes())) + ", made in " + time_text(seconds_);
+        if (trees_.lamps_without_tree() != 0)
+            text += "; " + counted(trees_.lamps_without_tree(), "lamp") + " of too many ways without a tree";
+    }
+    return text + '\n';
+}
+
+nlohmann::ordered_json LitPictures::json() const {
+    if (!are_lit()) return nullptr;
+    nlohmann::ordered_json json = {{"search", choice_.name()}, {"lamps", lamp_count_}, {"lamps_in_walls", walled_}};
+    json["exposure_ev"] = ev_;
+    json["is_exposure_chosen"] = choice_.exposure_ev.has_value();
+    json["ambient_lux"] = ambient_lux();
+    json["unit"] = is_linear_ ? "candela/m2" : "white";
+    json["trees"] = nullptr;
+    if (*choice_.search == render::LampSearch::Naive) return json;
+    const accel::LightTreesView view = trees_.view();
+    json["trees"] = {{"cells", cell_count_},
+                     {"cell_lights", view.cell_lights.size()},
+                     {"beams", *choice_.search == render::LampSearch::Tree ? view.beams.size() : 0},
+                     {"planes", view.planes.size()},
+                     {"bytes", trees_.bytes()},
+                     {"lamps_without_tree", trees_.lamps_without_tree()},
+                     {"seconds", seconds_}};
+    return json;
+}
+
+}  // namespace enfilade::tools

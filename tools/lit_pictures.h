@@ -1,0 +1,57 @@
+#pragma once
+// Pictures lit by the scene's lamps: who they reach, how bright the pictures are, and what is told of it.
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "accel/lights/light_trees.h"
+#include "render/trace.h"
+#include "tools/light_flags.h"
+#include "tools/shots.h"
+
+namespace enfilade::tools {
+
+/// Luminance (candela / m2) that becomes white in a picture of this exposure value (of ISO 100: 1.2 * 2^EV), and back.
+[[nodiscard]] double white_luminance(double ev);
+[[nodiscard]] double exposure_value(double white_luminance);
+
+class LitPictures {
+public:
+    /// No lamp shines.
+    LitPictures() = default;
+    /// Follows the light of the scene's lamps, and looks how bright small pictures of the shots are where no exposure
+    /// is chosen: one for all of a run, so that they compare. `is_linear`: the pictures are to hold candela / m2 (.exr
+    /// without --exposure). A scene without lamps is lit as if none were asked for.
+    LitPictures(const accel::SceneView& scene, const LightChoice& choice, std::span<const Shot> shots,
+                render::TraceOptions how, bool is_linear);
+
+    [[nodiscard]] bool are_lit() const { return lamp_count_ != 0; }
+    /// Puts the lamps into the picture's options; with Shading::Look evening falls: the sun is gone, the sky dim, and
+    /// what there is of light besides the lamps is --ambient.
+    void light(render::TraceOptions& trace) const;
+
+    /// "12 lamps, exposure 5.8 EV"
+    [[nodiscard]] std::string text() const;
+    /// Lines for a person: lists, beams, planes, bytes, time.
+    [[nodiscard]] std::string report() const;
+    /// null where no lamp shines
+    [[nodiscard]] nlohmann::ordered_json json() const;
+
+private:
+    void meter(const accel::SceneView& scene, std::span<const Shot> shots, const render::TraceOptions& how);
+    [[nodiscard]] render::LampOptions lamps(double exposure) const;
+    [[nodiscard]] double ambient_lux() const;
+
+    LightChoice choice_;
+    accel::LightTrees trees_;
+    std::size_t cell_count_ = 0;
+    std::size_t lamp_count_ = 0;
+    std::size_t walled_ = 0;  ///< lamps in solids
+    double seconds_ = 0;      ///< that following their light took
+    double ev_ = 0;
+    bool is_linear_ = false;
+};
+
+}  // namespace enfilade::tools
