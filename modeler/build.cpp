@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "modeler/levels.h"
+#include "modeler/lighting/plan_lamps.h"
 #include "modeler/realise.h"
 
 namespace enfilade::modeler {
@@ -52,6 +53,7 @@ Building build(const plans::Plan& plan, const BuildOptions& options) {
     Building building = realise(std::move(stacked), {});
     building.name = plan.name;
     building.plan_json = plans::write_json(cleaned);
+    building.lamps = plan_lamps(cleaned, building.storeys);
     building.opaque_glass = options.opaque_glass;
     building.sagitta = arrange.sagitta_mm / 1000;
     building.max_deviation = std::max(building.max_deviation, layout.graph.max_deviation);

@@ -12,6 +12,7 @@
 #include "gmap/defect.h"
 #include "gmap/map.h"
 #include "modeler/cutting/cut.h"
+#include "modeler/lighting/lamp.h"
 #include "modeler/objects/furnishing.h"
 #include "modeler/stack.h"
 #include "plans/grid.h"
@@ -85,7 +86,8 @@ struct Building {
     double max_deviation = 0;  ///< grid units that snap rounding moved an edge at most
     double sagitta = 0.002;    ///< metres: chord error of curved walls that was asked for
 
-    Furnishing furnishing;  ///< what stands in its rooms
+    Furnishing furnishing;    ///< what stands in its rooms
+    std::vector<Lamp> lamps;  ///< by ascending id: the plan's, and those by rule (modeler/lighting)
 
     std::string plan_json;          ///< the cleaned plan, canonical
     Stack stack;                    ///< what the volumes were made from; empty in a building read back from a scene

@@ -44,6 +44,7 @@ CheckReport check(const Building& building, const CheckOptions& options) {
     check_stairs(subject, blame, report);
     check_access(subject, blame, report);
     check_objects(subject, blame, report);
+    check_lamps(subject, report);
     check_nodes(subject, blame, report);
     check_portals(building, blame, report);
     report.findings.insert(report.findings.end(), building.findings.begin(), building.findings.end());

@@ -12,6 +12,7 @@ Building convexify(const Building& building, const ConvexifyOptions& options, co
     Building convex = realise(building.stack, {true, options.convexifier, options.cost}, executor);
     convex.name = building.name;
     convex.plan_json = building.plan_json;
+    convex.lamps = building.lamps;
     convex.sagitta = building.sagitta;
     convex.opaque_glass = building.opaque_glass;
     convex.max_deviation = std::max(convex.max_deviation, building.max_deviation);

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "modeler/cutting/polygon.h"
 #include "modeler/face_label.h"
+#include "modeler/lighting/scene_lights.h"
 #include "modeler/materials.h"
 #include "modeler/model_group.h"
 #include "modeler/objects/scene_objects.h"
@@ -75,6 +76,7 @@ public:
         add_spaces();
         input_.materials = materials_.take();
         add_objects(building_, input_);
+        add_lights(building_, input_);
         return std::move(input_);
     }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "modeler/lighting/lamps_text.h"
 #include "modeler/objects/furnishing_text.h"
 
 namespace enfilade::modeler {
@@ -240,6 +241,7 @@ std::vector<accel::InputModelArray> model_group(const Building& building) {
     arrays.push_back(packed("m.faces", building.faces));
     arrays.push_back(packed("m.volumes", building.volumes));
     if (!building.furnishing.empty()) arrays.push_back(text_array("m.objects", furnishing_text(building.furnishing)));
+    if (!building.lamps.empty()) arrays.push_back(text_array("m.lamps", lamps_text(building.lamps)));
     return arrays;
 }
 
@@ -276,6 +278,7 @@ Building read_model(const accel::Scene& scene) {
     check_indices(building);
     if (scene.find("m.objects"))
         building.furnishing = read_furnishing(text_of(scene, "m.objects"), scene.view(), building.spaces);
+    if (scene.find("m.lamps")) building.lamps = read_lamps(text_of(scene, "m.lamps"), building.storeys.size());
     return building;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "plans/clean_steps.h"
+#include "plans/limits.h"
 #include "plans/vector2.h"
 
 namespace enfilade::plans {
@@ -166,8 +167,10 @@ void clean_rooms(Storey& storey, CleanReport& report) {
         return true;
     });
     drop_unsound(storey.lights, "light", "Light", storey, report, [](const Light& light) {
+        const auto is_share = [](float c) { return c >= 0 && c <= 1; };
         return finite(light.position) && std::isfinite(light.elevation) && light.power_lumen >= 0 &&
-               std::isfinite(light.power_lumen);
+               light.power_lumen <= limits::lumen && light.radius >= 0 && light.radius <= limits::thickness &&
+               std::ranges::all_of(light.colour, is_share);
     });
     drop_unsound(storey.furniture, "furniture", "Piece of furniture", storey, report, [](const Furniture& piece) {
         const auto positive = [](double size) { return size > 0 && std::isfinite(size); };

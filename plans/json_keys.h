@@ -31,7 +31,8 @@ inline constexpr std::string_view column_list[] = {"id", "name", "polygon", "cir
 inline constexpr std::string_view circle_list[] = {"centre", "radius", "sides"};
 inline constexpr std::string_view stair_list[] = {"id", "name", "polygon"};
 inline constexpr std::string_view shaft_list[] = {"id", "name", "polygon", "circle"};
-inline constexpr std::string_view light_list[] = {"id", "name", "position", "elevation", "colour", "power_lumen"};
+inline constexpr std::string_view light_list[] = {
+    "id", "name", "position", "elevation", "colour", "power_lumen", "intensity_candela", "radius", "furniture"};
 inline constexpr std::string_view furniture_list[] = {
     "id",         "name",  "model",     "position", "elevation", "angle",     "angle_deg",
     "width",      "depth", "height",    "mirrored", "colour",    "catalogue", "model_rotation",

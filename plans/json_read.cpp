@@ -237,6 +237,16 @@ private:
         return shaft;
     }
 
+    /// In lumen, or in candela in every direction.
+    double read_power(const Fields& fields, double fallback) {
+        const JsonValue* candela = fields.find("intensity_candela");
+        if (candela == nullptr) return fields.number("power_lumen", {0, limits::lumen}, fallback);
+        if (fields.has("power_lumen"))
+            refuse(source_, "P105", candela->place,
+                   "\"power_lumen\" and \"intensity_candela\" say the same thing; keep one.");
+        return 4 * pi * fields.number("intensity_candela", {0, limits::lumen / (4 * pi)});
+    }
+
     Light read_light(const JsonValue& value, const Storey& storey, std::size_t number) {
         const Fields fields(value, keys::light, source_);
         Light light;
@@ -245,7 +255,9 @@ private:
         light.position = fields.point("position");
         light.elevation = fields.length("elevation", {-limits::height, limits::height}, light.elevation);
         if (const auto colour = fields.colour("colour")) light.colour = *colour;
-        light.power_lumen = fields.number("power_lumen", {0, limits::lumen}, light.power_lumen);
+        light.power_lumen = read_power(fields, light.power_lumen);
+        light.radius = fields.length("radius", {0, limits::thickness}, light.radius);
+        light.furniture = fields.text("furniture", "");
         return light;
     }
 

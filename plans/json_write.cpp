@@ -131,6 +131,8 @@ std::string write_element(const Light& light) {
         .number("elevation", light.elevation)
         .raw("colour", colour_text(light.colour))
         .number("power_lumen", light.power_lumen)
+        .number_unless("radius", light.radius, 0)
+        .text_unless_empty("furniture", light.furniture)
         .done();
 }
 

@@ -91,6 +91,8 @@ struct Light {
     double elevation = 2.3;  ///< above the storey's floor
     Colour colour = {1, 1, 1};
     double power_lumen = 800;
+    double radius = 0;      ///< of the sphere that shines; 0: a point
+    std::string furniture;  ///< id of the piece that carries it; empty: none
 };
 
 /// A material of a piece's mesh that has another colour in this piece.

@@ -44,6 +44,7 @@ modeler::Building rebuilt(const modeler::Building& read, const std::string& opti
                          "The scene's plan does not give its rooms again, so they cannot be cut anew: build it again "
                          "from its plan, or with --objects list.");
     building.findings.clear();
+    building.lamps = read.lamps;
     return building;
 }
 

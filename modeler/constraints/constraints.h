@@ -88,6 +88,9 @@ void check_access(const Subject& subject, Blame& blame, CheckReport& report);
 /// places).
 void check_objects(const Subject& subject, Blame& blame, CheckReport& report);
 
+/// S7: lamps hang where light is, on the site, have power, and no two are at one place (warnings).
+void check_lamps(const Subject& subject, CheckReport& report);
+
 /// D1: the node that stands for a cell in graphs lies inside the cell.
 void check_nodes(const Subject& subject, Blame& blame, CheckReport& report);
 

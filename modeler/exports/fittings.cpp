@@ -20,9 +20,6 @@ Fittings fittings(const Building& building) {
             return std::array{p.x - frame.origin_x, p.y - frame.origin_y,
                               storey->elevation + elevation - frame.origin_z};
         };
-        for (const plans::Light& light : storey->lights)
-            result.lights.push_back(
-                {light.id, light.name, k, place(light.position, light.elevation), light.colour, light.power_lumen});
         for (const plans::Furniture& piece : storey->furniture) {
             if (!(piece.width > 0 && piece.depth > 0 && piece.height > 0)) continue;
             result.furniture.push_back({piece.id,

@@ -1,5 +1,5 @@
 #pragma once
-// What hangs and stands in the rooms of a scene: the lights and the furniture of its plan.
+// What stands in the rooms of a scene: the furniture of its plan.
 
 #include <array>
 #include <cstdint>
@@ -10,16 +10,6 @@
 #include "plans/plan.h"
 
 namespace enfilade::modeler {
-
-/// A lamp of the plan, in the frame of the scene (metres, z up).
-struct PlacedLight {
-    std::string id;
-    std::string name;
-    std::uint32_t storey = 0;  ///< into Building::storeys
-    std::array<double, 3> position = {};
-    plans::Colour colour = {1, 1, 1};  ///< linear RGB
-    double power_lumen = 0;
-};
 
 /// A piece of furniture of the plan: the box that holds it, in the frame of the scene (metres, z up).
 struct PlacedFurniture {
@@ -35,8 +25,7 @@ struct PlacedFurniture {
 };
 
 struct Fittings {
-    std::vector<PlacedLight> lights;         ///< by storey, then as in the plan
-    std::vector<PlacedFurniture> furniture;  ///< likewise; pieces without extent are left out
+    std::vector<PlacedFurniture> furniture;  ///< by storey, then as in the plan; pieces without extent are left out
     std::vector<StoreyInfo> storeys;         ///< Building::storeys
 };
 

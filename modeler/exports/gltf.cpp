@@ -6,6 +6,7 @@
 
 #include "modeler/exports/gltf_file.h"
 #include "modeler/exports/gltf_fittings.h"
+#include "modeler/exports/gltf_lights.h"
 #include "modeler/exports/gltf_objects.h"
 #include "modeler/exports/scene_mesh.h"
 
@@ -62,6 +63,8 @@ private:
         for (const StoreyInfo& storey : fittings_.storeys)
             storeys.push_back(has_fittings(storeys.size()) ? storey_node(storey.id) : 0);
         add_fittings(fittings_, storeys, file_);
+        add_lights(
+            scene_, [&](const std::string& storey) { return storey_node(storey); }, file_);
         if (scene_.has_objects()) add_objects(scene_, space_nodes_, file_);
         for (Json& each : file_["nodes"])
             if (each.contains("children") && each["children"].empty()) each.erase("children");
@@ -69,8 +72,6 @@ private:
     }
 
     bool has_fittings(std::size_t storey) const {
-        for (const PlacedLight& light : fittings_.lights)
-            if (light.storey == storey) return true;
         for (const PlacedFurniture& piece : fittings_.furniture)
             if (piece.storey == storey) return true;
         return false;

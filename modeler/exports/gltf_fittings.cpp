@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 namespace enfilade::modeler {
@@ -12,35 +11,14 @@ namespace {
 using Json = GltfFile::Json;
 using Point3 = GltfFile::Point3;
 
-constexpr const char* lights_extension = "KHR_lights_punctual";
 constexpr plans::Colour furniture_colour = {0.55f, 0.45f, 0.36f};
 
 /// glTF has y up: (x, y, z) becomes (x, z, -y).
 Point3 y_up(const std::array<double, 3>& p) { return {float(p[0]), float(p[2]), float(0 - p[1])}; }
 
-/// Light shines alike in all directions: over the whole sphere of 4 pi steradians.
-double candela(double lumen) { return lumen / (4 * std::numbers::pi); }
-
 void hang(GltfFile& file, std::size_t parent, Json node) {
     const std::size_t child = file.add("nodes", std::move(node));
     file["nodes"][parent]["children"].push_back(child);
-}
-
-void add_lights(const Fittings& fittings, const std::vector<std::size_t>& storey_nodes, GltfFile& file) {
-    if (fittings.lights.empty()) return;
-    file.use_extension(lights_extension);
-    Json lights = Json::array();
-    for (const PlacedLight& light : fittings.lights) {
-        const std::string& name = light.name.empty() ? light.id : light.name;
-        hang(file, storey_nodes[light.storey],
-             {{"name", name},
-              {"translation", y_up(light.position)},
-              {"extras", {{"label", "light"}, {"id", light.id}, {"power_lumen", light.power_lumen}}},
-              {"extensions", {{lights_extension, {{"light", lights.size()}}}}}});
-        lights.push_back(
-            {{"name", name}, {"type", "point"}, {"color", light.colour}, {"intensity", candela(light.power_lumen)}});
-    }
-    file["extensions"][lights_extension] = {{"lights", std::move(lights)}};
 }
 
 /// Positions, normals and indices of a box of edge 1 whose underside has its middle at the origin.
@@ -109,7 +87,6 @@ void add_furniture(const Fittings& fittings, const std::vector<std::size_t>& sto
 }  // namespace
 
 void add_fittings(const Fittings& fittings, const std::vector<std::size_t>& storey_nodes, GltfFile& file) {
-    add_lights(fittings, storey_nodes, file);
     add_furniture(fittings, storey_nodes, file);
 }
 

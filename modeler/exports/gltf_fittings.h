@@ -1,5 +1,5 @@
 #pragma once
-// Lights and furniture as nodes of a glTF file.
+// The plan's furniture as nodes of a glTF file.
 
 #include <cstddef>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace enfilade::modeler {
 
-/// A node with a point light (KHR_lights_punctual) for each light, and one for each piece of furniture: a box by
-/// translation, rotation and scale of a mesh that all pieces of one model and colour share. `storey_nodes`: the node
+/// A node for each piece of furniture: a box by translation, rotation and scale of a mesh that all pieces of one model
+/// and colour share. `storey_nodes`: the node
 /// under which those of each storey hang, with its `children`.
 void add_fittings(const Fittings& fittings, const std::vector<std::size_t>& storey_nodes, GltfFile& file);
 

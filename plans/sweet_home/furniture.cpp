@@ -20,11 +20,13 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr NumberRange extent{0, limits::thickness, true};
 constexpr NumberRange height_range{-limits::height / 2, limits::height / 2};  // what stands on it is a height too
+constexpr NumberRange source_size{0, 4};                                      // of a lamp's width
 constexpr NumberRange source_share{-4, 4};  // of a lamp's box: a source may hang outside of it
 constexpr double farthest = limits::coordinate - 10 * limits::thickness;  // a box there lies inside the limits
 constexpr NumberRange share{0, 1};
 constexpr NumberRange angle_range{-64 * pi, 64 * pi};
-constexpr double lumen_of_full_power = 1600;  // the middle setting, 0.5, is a bulb of 800 lm
+constexpr double lumen_of_full_power = 3200;    // the middle setting, 0.5, is a bulb of 800 lm
+constexpr double usual_source_radius = 0.0325;  // metres: of a source that tells none
 
 /// The box of a piece as the plan shows it.
 struct Box {
@@ -137,29 +139,40 @@ void add_furniture(const HomeElement& element, const Box& box, const std::string
     storey.furniture.push_back(std::move(piece));
 }
 
-/// A lamp is a piece of furniture, and one light for each of its sources.
+/// What Sweet Home 3D's own pictures show: the light of a source grows with the square of its lamp's power and with its
+/// colour, and each source of a lamp has all of it (`PhotoRenderer`: radiance 5 power^2 / radius^2 times colour, of a
+/// sphere). A dark colour is a weak lamp there; here the flux says so.
+double lumen_of(double power, const Colour& colour) {
+    const double luminance = 0.2126 * double(colour[0]) + 0.7152 * double(colour[1]) + 0.0722 * double(colour[2]);
+    return power * power * lumen_of_full_power * luminance;
+}
+
+/// A lamp is a piece of furniture, and one light for each of its sources; with power 0 it is switched off.
 void add_lights(const HomeElement& element, const Box& box, const std::string& lamp, Storey& storey, Home& home) {
-    const double power = element.number("power", {0, 1e5}, 0.5);
+    const double power = element.number("power", {0, 500}, 0.5);
+    if (power == 0) return;
     std::size_t count = 0;
-    for (const pugi::xml_node node : element.node().children("lightSource")) {
-        const HomeElement source = element.child(node);
+    const auto add = [&](Point position, double elevation, double radius, const Colour& colour) {
         Light light;
         light.id = home.ids.take(lamp + "/source-" + std::to_string(++count), "light");
         light.name = element.text("name");
-        light.position = box.at(source.number("x", source_share, 0.5), source.number("y", source_share, 0.5));
-        light.elevation = box.elevation + source.number("z", source_share, 0.5) * box.height;
-        light.power_lumen = power * lumen_of_full_power;
-        if (const auto colour = source.colour("color")) light.colour = *colour;
+        light.position = position;
+        light.elevation = elevation;
+        light.colour = colour;
+        light.power_lumen = lumen_of(power, colour);
+        light.radius = radius;
+        light.furniture = lamp;
         storey.lights.push_back(std::move(light));
+    };
+    for (const pugi::xml_node node : element.node().children("lightSource")) {
+        const HomeElement source = element.child(node);
+        const double radius =
+            source.has("diameter") ? source.number("diameter", source_size, 0) * box.width / 2 : usual_source_radius;
+        add(box.at(source.number("x", source_share, 0.5), source.number("y", source_share, 0.5)),
+            box.elevation + source.number("z", source_share, 0.5) * box.height, std::min(radius, limits::thickness),
+            source.colour("color").value_or(Colour{1, 1, 1}));
     }
-    if (count > 0) return;
-    Light light;
-    light.id = home.ids.take(lamp + "/source-1", "light");
-    light.name = element.text("name");
-    light.position = box.middle;
-    light.elevation = box.elevation + box.height / 2;
-    light.power_lumen = power * lumen_of_full_power;
-    storey.lights.push_back(std::move(light));
+    if (count == 0) add(box.middle, box.elevation + box.height / 2, usual_source_radius, {1, 1, 1});
 }
 
 /// The largest ring of the cut-out in its box; the box itself where the shape says nothing usable.

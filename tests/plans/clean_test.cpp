@@ -465,6 +465,20 @@ TEST(CleanRooms, WithoutFiniteCornersAreErrors) {
     EXPECT_TRUE(has_errors(cleaned.findings));
 }
 
+TEST(CleanRooms, LampsOfNoPowerThatThereIsAreErrors) {
+    Plan plan = one_room();
+    auto& lights = plan.storeys[0].lights;
+    lights.push_back({.id = "negative", .position = {1, 1}, .power_lumen = -1});
+    lights.push_back({.id = "infinite", .position = {1, 1}, .power_lumen = 1e30});
+    lights.push_back({.id = "no-number", .position = {1, 1}, .power_lumen = not_a_number});
+    lights.push_back({.id = "no-colour", .position = {1, 1}, .colour = {1, 2, -1}});
+    lights.push_back({.id = "dark", .position = {1, 1}, .power_lumen = 0});
+    const Plan cleaned = clean(plan);
+    EXPECT_EQ(codes_of(cleaned), "P240 P240 P240 P240");
+    ASSERT_EQ(cleaned.storeys[0].lights.size(), 1u) << "that of no power stays: check names it";
+    EXPECT_EQ(cleaned.storeys[0].lights[0].id, "dark");
+}
+
 TEST(Clean, SaysOfEachRepairWhereItIs) {
     Plan plan = one_room();
     plan.storeys[0].elevation = 1.25;

@@ -54,6 +54,14 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Complaint{"an unknown key", storey_with(R"("walls": [{"start": [0, 0], "end": [1, 0], "thicknes": 1}])"),
                   "P102", 3, "thickness"},
+        Complaint{"a power said twice",
+                  storey_with("\"lights\": [{\"position\": [1, 1],\n\"power_lumen\": 5, \"intensity_candela\": 5}]"),
+                  "P105", 4, "keep one"},
+        Complaint{"a negative power", storey_with(R"("lights": [{"position": [1, 1], "power_lumen": -1}])"), "P105", 3,
+                  "power_lumen"},
+        Complaint{"more light than there is",
+                  storey_with(R"("lights": [{"position": [1, 1], "intensity_candela": 1e9}])"), "P105", 3,
+                  "intensity_candela"},
         Complaint{"a text for a number", storey_with(R"("height": "high")"), "P103", 3, "height"},
         Complaint{"a missing key", storey_with(R"("walls": [{"start": [0, 0]}])"), "P104", 3, "end"},
         Complaint{"a negative thickness",
@@ -159,6 +167,26 @@ RC_GTEST_PROP(JsonPlan, DamagedTextIsReadOrRefused, ()) {
     } catch (const InputError& error) {
         RC_ASSERT(error.line > 0);
     }
+}
+
+TEST(JsonPlan, ReadsTheLightOfLampsInLumenOrCandela) {
+    const Plan plan = read_json(storey_with(R"("lights": [
+        {"position": [1, 2]},
+        {"position": [1, 2], "elevation": 2, "power_lumen": 1250, "colour": "#ff0000"},
+        {"position": [-9, 2], "intensity_candela": 100, "radius": 0.25, "furniture": "lamp-1"}])"),
+                                "plan.json");
+    const auto& lights = plan.storeys.at(0).lights;
+    ASSERT_EQ(lights.size(), 3u);
+    EXPECT_EQ(lights[0].power_lumen, 800);
+    EXPECT_EQ(lights[0].radius, 0);
+    EXPECT_EQ(lights[1].power_lumen, 1250);
+    EXPECT_EQ(lights[1].colour, (Colour{1, 0, 0}));
+    EXPECT_DOUBLE_EQ(lights[2].power_lumen, 400 * std::numbers::pi);
+    EXPECT_EQ(lights[2].radius, 0.25);
+    EXPECT_EQ(lights[2].furniture, "lamp-1");
+    const std::string written = write_json(plan);
+    EXPECT_EQ(write_json(read_json(written, "plan.json")), written);
+    EXPECT_EQ(read_json(written, "plan.json").storeys[0].lights[2].power_lumen, lights[2].power_lumen);
 }
 
 }  // namespace

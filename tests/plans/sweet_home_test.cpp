@@ -291,7 +291,32 @@ TEST(SweetHome, PlacesLightSourcesInTheirLamp) {
     EXPECT_NEAR(light.position.x, 1, 1e-12);
     EXPECT_NEAR(light.position.y, -1.1, 1e-12);
     EXPECT_NEAR(light.elevation, 1.4, 1e-12);
-    EXPECT_DOUBLE_EQ(light.power_lumen, 400);
+    EXPECT_NEAR(light.power_lumen, 200, 1e-4) << "a quarter of the power of 800 lumen, as its pictures have it";
+    EXPECT_EQ(light.furniture, "l");
+    EXPECT_DOUBLE_EQ(light.radius, 0.0325);
+    EXPECT_EQ(plan.storeys[0].furniture.size(), 1u);
+}
+
+TEST(SweetHome, GivesEachSourceTheLampsPowerInItsOwnColourAndSize) {
+    const Plan plan = read_home(
+        "<light id='l' x='0' y='0' elevation='50' width='20' depth='20' height='10' power='0.5'>"
+        "<lightSource x='0' y='0' z='0' color='FFFFFFFF' diameter='0.5'/>"
+        "<lightSource x='1' y='0' z='0' color='FF00FF00' diameter='0'/></light>");
+    ASSERT_EQ(plan.storeys.at(0).lights.size(), 2u);
+    const auto& lights = plan.storeys[0].lights;
+    EXPECT_NEAR(lights[0].power_lumen, 800, 1e-3);
+    EXPECT_DOUBLE_EQ(lights[0].radius, 0.05);
+    EXPECT_EQ(lights[1].id, "l/source-2");
+    EXPECT_NEAR(lights[1].power_lumen, 800 * 0.7152, 1e-3) << "green alone is the darker part of white";
+    EXPECT_EQ(lights[1].radius, 0);
+    EXPECT_EQ(lights[1].colour, (Colour{0, 1, 0}));
+}
+
+TEST(SweetHome, LampsThatAreSwitchedOffShineNot) {
+    const Plan plan = read_home(
+        "<light id='l' x='0' y='0' elevation='50' width='20' depth='20' height='10' power='0'>"
+        "<lightSource x='0' y='0' z='0' color='FFFFFFFF'/></light>");
+    EXPECT_TRUE(plan.storeys.at(0).lights.empty());
     EXPECT_EQ(plan.storeys[0].furniture.size(), 1u);
 }
 

@@ -80,6 +80,17 @@ inline plans::Plan any_plan() {
             room.polygon = any_box();
             storey.rooms.push_back(room);
         }
+        const int lamps = *rc::gen::inRange(0, 3);
+        for (int k = 0; k < lamps; ++k) {
+            plans::Light lamp;
+            lamp.id = storey.id + "l" + std::to_string(k);
+            lamp.position = any_box().front();  // in a room, a wall or outside
+            lamp.elevation = *rc::gen::element(2.3, 0.0, -1.0, 2.5);
+            lamp.power_lumen = *rc::gen::element(800.0, 0.0, 1256.6370614359173);
+            lamp.radius = *rc::gen::element(0.0, 0.05);
+            lamp.furniture = *rc::gen::element<std::string>("", "lamp");
+            storey.lights.push_back(lamp);
+        }
         plan.storeys.push_back(storey);
     }
     return plan;

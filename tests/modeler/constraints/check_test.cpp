@@ -59,7 +59,7 @@ TEST(Check, FindsNothingInSoundBuildings) {
 
 TEST(Check, AppliesTheConstraintsInTheOrderOfTheTable) {
     const Codes table = {"T1", "T2", "T3", "T4", "T5", "T6", "T7", "T8", "G1", "G2", "G3", "G4", "G5",
-                         "G6", "G7", "G8", "G9", "S1", "S2", "S3", "S4", "S5", "S6", "D1", "D2"};
+                         "G6", "G7", "G8", "G9", "S1", "S2", "S3", "S4", "S5", "S6", "S7", "D1", "D2"};
     const auto in_order = [&](const Codes& codes) {
         auto at = table.begin();
         for (const std::string& code : codes) {

@@ -1,11 +1,13 @@
 // write_exports PLAN STEM: builds a plan (a file, or the name of a small plan) and writes all exports of its scene as
 // STEM.glb, STEM.city.json, ..., for the readers of other people, and STEM.facts.json with what they have to find.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "modeler/exports/city_json.h"
 #include "modeler/exports/dot.h"
@@ -67,11 +69,12 @@ Json facts(const test::BuiltPlan& plan) {
         volume[part.space] += modeler::area_m2(model, part) * model.frame.unit * (part.z_high - part.z_low);
     const modeler::Fittings fittings = modeler::fittings(model);
     double lumen = 0;
-    for (const modeler::PlacedLight& light : fittings.lights) lumen += light.power_lumen;
+    for (const accel::Light& light : plan.scene.view().lights)
+        lumen += 4 * std::numbers::pi * double{std::ranges::max(light.intensity)};
     Json json = {{"cells", plan.scene.view().cells.size()},
                  {"portals", plan.scene.view().portals.size()},
                  {"triangles", modeler::scene_mesh(plan.scene.view()).triangle_count()},
-                 {"lights", fittings.lights.size()},
+                 {"lights", plan.scene.view().lights.size()},
                  {"lumen", lumen},
                  {"furniture", fittings.furniture.size()}};
     for (const auto& [space, cubic_metres] : volume)
