@@ -48,10 +48,17 @@ void validate(const TraceOptions& options) {
         refuse("only the scalar tracer walks in double precision");
 }
 
-/// Lambert's loop of a tracer; the scalar one where there are no lanes.
-auto lambert_kernel(Tracer tracer, bool is_lit) {
+/// Whether lanes know all that lights a picture: not lamps without trees, nor materials that are more than a colour.
+bool suits_lanes(const detail::TileJob& job) {
+    if (job.lamps == nullptr) return true;
+    const bool knows_objects = job.objects == nullptr || job.lamps->trees.beam_object_lists.count != 0;
+    return job.lamps->search == LampSearch::Tree && knows_objects && job.mirror_floor == 0 && !job.scene->has_looks();
+}
+
+/// Lambert's loop of a tracer; the scalar one where there are no lanes, or what they know nothing of.
+auto lambert_kernel(Tracer tracer, const detail::TileJob& job) {
     const detail::LaneKernels* lanes = detail::lane_kernels();
-    if (tracer == Tracer::Scalar || lanes == nullptr || is_lit) return detail::kernels().lambert_tile;
+    if (tracer == Tracer::Scalar || lanes == nullptr || !suits_lanes(job)) return detail::kernels().lambert_tile;
     return tracer == Tracer::Simd ? lanes->simd_tile : lanes->packet_tile;
 }
 
@@ -110,8 +117,7 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
         plain_look = lambert_look(options.look);
         job.look = &plain_look;
     }
-    run_tiles(executor, camera, job,
-              is_plain ? lambert_kernel(options.tracer, job.lamps != nullptr) : detail::kernels().look_tile,
+    run_tiles(executor, camera, job, is_plain ? lambert_kernel(options.tracer, job) : detail::kernels().look_tile,
               options.stats);
     return image;
 }
@@ -131,7 +137,7 @@ void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, acce
     job.mirror_floor = options.mirror_floor;
     job.packets = options.packets;
     job.lamps = options.lamps;
-    run_tiles(executor, framebuffer, job, lambert_kernel(options.tracer, options.lamps != nullptr), options.stats);
+    run_tiles(executor, framebuffer, job, lambert_kernel(options.tracer, job), options.stats);
 }
 
 }  // namespace enfilade::render

@@ -141,6 +141,8 @@ struct Outlook {
     }
 };
 
+class LitFaces;
+
 /// The cells that rays between four corners cross, as far as they are asked for; a few are remembered.
 class Outlooks {
 public:
@@ -154,6 +156,7 @@ public:
           corners_(camera, at) {}
 
     ObjectsInView objects;
+    LitFaces* lit = nullptr;  ///< what lamps light in a rectangle around this one, if anybody knows
 
     /// Its height does not matter: a mirrored eye sees the same.
     [[nodiscard]] HWY_INLINE const Outlook& on(std::uint32_t cell) {

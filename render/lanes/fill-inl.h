@@ -270,6 +270,37 @@ HWY_INLINE void fill(const Canvas& canvas, const Rectangle& at, const Layers& la
     else by_width([&](auto d) HWY_ATTR { fill_layers(d, canvas, at, layers); });
 }
 
+/// A block is four pixels high, and as wide as its rays ask for; its rays go row by row.
+inline constexpr int block_height = 4;
+template <int N>
+inline constexpr int block_width = N / block_height;
+
+/// Centres of a block's pixels, from its corner.
+template <int N>
+struct BlockCentres {
+    alignas(64) float x[N];
+    alignas(64) float y[N];
+    constexpr BlockCentres() : x(), y() {
+        for (int i = 0; i < N; ++i) {
+            x[i] = static_cast<float>(i % block_width<N>) + 0.5f;
+            y[i] = static_cast<float>(i / block_width<N>) + 0.5f;
+        }
+    }
+};
+template <int N>
+inline constexpr BlockCentres<N> block_centres;
+
+/// Rays of a block that is cut off by the image's end.
+template <int N>
+HWY_INLINE Bits rays_within(const Rectangle& at) {
+    constexpr int block = block_width<N>;
+    if (HWY_LIKELY(at.x1 - at.x0 == block && at.y1 - at.y0 == block_height)) return all_bits<N>;
+    const Bits row = (Bits(1) << (at.x1 - at.x0)) - 1;
+    Bits rays = 0;
+    for (int y = 0; y < at.y1 - at.y0; ++y) rays |= row << (y * block);
+    return rays;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace enfilade::render
 HWY_AFTER_NAMESPACE();

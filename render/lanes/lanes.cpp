@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include <cmath>
 #include <type_traits>
 
 #include "render/framebuffer.h"
@@ -47,6 +48,14 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/shade-inl.h"
 //
+#include "render/lanes/lamp_objects-inl.h"
+//
+#include "render/lanes/lamp_points-inl.h"
+//
+#include "render/lanes/lamp_face-inl.h"
+//
+#include "render/lanes/lamp_fill-inl.h"
+//
 #include "render/lanes/picture-inl.h"
 //
 #include "render/lanes/packet-inl.h"
@@ -77,12 +86,17 @@ void simd_tile(const detail::TileJob& job) {
     constexpr int side = 32;  // of the rectangles that share an outlook on the camera's cell
     const accel::SceneView scene = *job.scene;
     ObjectsOnImage on_image(scene, *job.camera);
+    LitFaces lit(job, scene);
     counted(job, [&](auto& events) HWY_ATTR {
         for (int y = job.y0; y < job.y1; y += side)
             for (int x = job.x0; x < job.x1; x += side) {
                 const Rectangle at = {x, y, x + side < job.x1 ? x + side : job.x1,
                                       y + side < job.y1 ? y + side : job.y1};
                 Outlooks outlooks(scene, *job.camera, on_image, at, nullptr);
+                if (job.lamps != nullptr) {
+                    lit.see(at);
+                    outlooks.lit = &lit;
+                }
                 trace_blocks<block_rays>(job, scene, Bundle{job.start_cell}, outlooks, at, events);
             }
     });

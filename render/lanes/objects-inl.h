@@ -14,6 +14,7 @@ struct ObjectHits {
     alignas(64) float normal[3][N];
     std::uint32_t object[N];
     std::uint32_t triangle[N];
+    std::uint32_t cell[N];
 
     ObjectHits() {}  // numbers are written with the hits
     HWY_INLINE void take(int ray, accel::ObjectId id, const accel::PlacedObject& at, const ObjectRays& from, int lane) {
@@ -198,6 +199,7 @@ HWY_INLINE void meet_objects(const accel::SceneView& scene, const ObjectTracer& 
         const Bits hit = hits.rays & ~hit_before;
         if (hit != 0)
             for (int i = 0; i < ways.size; ++i) ways.of[i].rays &= ~hit;
+        for (Bits left = hit; left != 0; left &= left - 1) hits.cell[lowest_bit(left)] = group.cell;
     }
     entered = leaves;
 }
@@ -221,6 +223,8 @@ HWY_NOINLINE void walk_alone_among(const accel::SceneView& scene, const ObjectTr
     hits.rays |= bit;
     hits.object[ray] = hit.object;
     hits.triangle[ray] = hit.triangle;
+    hits.far[ray] = static_cast<float>(hit.t);
+    hits.cell[ray] = end.cell;
     hits.normal[0][ray] = hit.normal.x;
     hits.normal[1][ray] = hit.normal.y;
     hits.normal[2][ray] = hit.normal.z;

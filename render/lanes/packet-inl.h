@@ -170,7 +170,37 @@ private:
         bundle.mirror_level = scene_.cells[bundle.cell].z_floor;
     }
 
+    /// Lights the rectangle that a face fills. False, having done nothing, for the sky.
+    bool light_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
+        const accel::SourceFace& seen = scene_.source_faces[way.target_bits];
+        const bool is_sky = seen.surface == accel::Surface::Sky;
+        if (is_sky && !bundle.is_mirrored) return false;
+        const float shown = lamp_scale(*job_.lamps);
+        LitFace faces[2];
+        LitLayers layers;
+        bool is_whole = !is_sky && !bundle.is_mirrored;
+        if (is_whole)
+            make_lit_face(scene_, *job_.camera, way, bundle.cell, nullptr,
+                          shown * bundle.tint * colour_of(scene_, seen), faces[layers.count++]);
+        for (int l = 0; l < layers.count && is_whole; ++l) {
+            const FaceCorners corners(*job_.camera, faces[l], at);
+            layers.layer[l] = {&faces[l], &lamps_[l], {}};
+            is_whole = !faces[l].is_near() && corners.is_sound &&
+                       lamps_[l].take_all(job_, scene_, faces[l], corners, layers.layer[l].span);
+        }
+        if (is_whole) {
+            FaceLamps* const lamps[2] = {&lamps_[0], &lamps_[1]};
+            light_rectangle(job_, scene_, lamps, layers, at);
+            events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));
+        } else {
+            Outlooks outlooks(scene_, *job_.camera, on_image_, at, nullptr);
+            trace_blocks<tile_rays>(job_, scene_, bundle, outlooks, at, events_);
+        }
+        return true;
+    }
+
     void fill_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
+        if (job_.lamps != nullptr && light_tile(at, way, bundle)) return;
         Layers layers;
         if (bundle.is_mirrored) layers.layer[layers.count++] = {false, 1, {0, 0, -1}, bundle.floor};
         see(way, bundle, layers.layer[layers.count++]);
@@ -209,6 +239,7 @@ private:
     const accel::SceneView& scene_;
     Events& events_;
     ObjectsOnImage on_image_;
+    FaceLamps lamps_[2];
 };
 
 }  // namespace HWY_NAMESPACE

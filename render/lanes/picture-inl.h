@@ -38,26 +38,6 @@ HWY_INLINE Floats<N> first_of(const accel::SceneView& scene, const Bundle& bundl
     return stretch_of(entered, entered, first).from;
 }
 
-/// A block is four pixels high, and as wide as its rays ask for; its rays go row by row.
-inline constexpr int block_height = 4;
-template <int N>
-inline constexpr int block_width = N / block_height;
-
-/// Centres of a block's pixels, from its corner.
-template <int N>
-struct BlockCentres {
-    alignas(64) float x[N];
-    alignas(64) float y[N];
-    constexpr BlockCentres() : x(), y() {
-        for (int i = 0; i < N; ++i) {
-            x[i] = static_cast<float>(i % block_width<N>) + 0.5f;
-            y[i] = static_cast<float>(i / block_width<N>) + 0.5f;
-        }
-    }
-};
-template <int N>
-inline constexpr BlockCentres<N> block_centres;
-
 template <int N>
 HWY_INLINE void store_pixels(const detail::TileJob& job, const Rectangle& at,
                              const std::uint32_t* HWY_RESTRICT pixels) {
@@ -93,17 +73,6 @@ HWY_INLINE void store_block(const detail::TileJob& job, const Rectangle& at, con
     }
 }
 
-/// Rays of a block that is cut off by the image's end.
-template <int N>
-HWY_INLINE Bits rays_within(const Rectangle& at) {
-    constexpr int block = block_width<N>;
-    if (HWY_LIKELY(at.x1 - at.x0 == block && at.y1 - at.y0 == block_height)) return all_bits<N>;
-    const Bits row = (Bits(1) << (at.x1 - at.x0)) - 1;
-    Bits rays = 0;
-    for (int y = 0; y < at.y1 - at.y0; ++y) rays |= row << (y * block);
-    return rays;
-}
-
 /// What the floors mirror, added to the light of the floors themselves.
 template <int N, class Events>
 HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const Floats<N>& inverse_length,
@@ -118,7 +87,8 @@ HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const 
     } else {
         walk_together(seen.scene, turned, seen.mirror_groups, tints, reflected, events);
     }
-    const Light<N> more = light_of(reflected, inverse_length, tints);
+    const Light<N> more = seen.job.lamps != nullptr ? lamp_light_of(reflected, turned, inverse_length, tints)
+                                                    : light_of(reflected, inverse_length, tints);
     const Floats<N> share(seen.job.mirror_floor), rest(1 - seen.job.mirror_floor);
     light = choose_light(
         seen.mirrors,
@@ -196,6 +166,7 @@ HWY_NOINLINE bool trace_mixed_block(const detail::TileJob& job, const accel::Sce
                                     Outlooks& outlooks, Vec3f tint, const Rectangle& at, const Points<N>& d,
                                     std::uint64_t cells, Events& events) {
     using F = Floats<N>;
+    if (job.lamps != nullptr) return false;
     const EyeRays<N> rays(outlooks, job.camera->origin, d);
     FaceLanes<N> lanes;
     Groups lists[2];
@@ -298,6 +269,11 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
         }
         const accel::SourceFace* face = plain_face(job, scene, way);
         if (face == nullptr) return false;
+        if (job.lamps != nullptr) {
+            if (!outlooks.lit->light(way, id, tint, at)) return false;
+            count_block<N>(at, N * cells, events);
+            return true;
+        }
         const FaceColour<N> colour(tint * colour_of(scene, *face));
         count_block<N>(at, N * cells, events);
         if (way.exit == Exit::Side) store_face(job, at, den, F(s.squared), d, colour);
@@ -332,11 +308,12 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
     const F squared = dot_lanes(rays.direction, rays.direction);
     F inverse_length = quick_inverse_root(squared);
     if (job.rgb != nullptr) inverse_length = exact_inverse_root(squared);
-    Light<N> light = light_of(seen, inverse_length, tints);
+    Light<N> light = job.lamps != nullptr ? lamp_light_of(seen, rays.all(), inverse_length, tints)
+                                          : light_of(seen, inverse_length, tints);
     if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(rays.all(), seen, inverse_length, tints, light, events);
     if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1})))
         light = {light.r * F(bundle.tint.x), light.g * F(bundle.tint.y), light.b * F(bundle.tint.z)};
-    if (HWY_UNLIKELY(bundle.is_mirrored)) {
+    if (HWY_UNLIKELY(bundle.is_mirrored && job.lamps == nullptr)) {
         const F lit = magnitude_of(rays.direction.z) * inverse_length;
         light = {light.r + lit * F(bundle.floor.x), light.g + lit * F(bundle.floor.y),
                  light.b + lit * F(bundle.floor.z)};
@@ -352,7 +329,8 @@ HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& 
     const F x = F(static_cast<float>(at.x0)) + load<N>(block_centres<N>.x);
     const F y = F(static_cast<float>(at.y0)) + load<N>(block_centres<N>.y);
     const Points<N> d = directions(*job.camera, x, y);
-    const bool is_plain = job.rgb == nullptr && !bundle.is_mirrored;
+    const bool is_plain =
+        job.rgb == nullptr && !bundle.is_mirrored && (job.lamps == nullptr || outlooks.lit != nullptr);
     if (is_plain && trace_plain_block(job, scene, bundle, outlooks, at, d, events)) return;
     follow_block(job, scene, bundle, outlooks, at, d, events);
 }
