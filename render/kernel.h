@@ -9,6 +9,7 @@
 #include "render/lamps.h"
 #include "render/look.h"
 #include "render/object_tracer.h"
+#include "render/path_job.h"
 #include "render/trace_rays.h"
 #include "render/tracer.h"
 
@@ -86,6 +87,8 @@ struct Kernels {
     void (*rays_double)(const RayJob&);
     void (*nearest)(const StreamJob&);
     void (*visible)(const SegmentJob&);
+    void (*path_tile)(const PathJob&);    ///< samples of the pixels of a rectangle
+    void (*path_places)(const PathJob&);  ///< of places
 };
 
 /// The loops of many rays at once, for one instruction set (lanes.cpp).

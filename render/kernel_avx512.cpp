@@ -6,6 +6,7 @@
 
 namespace enfilade::render::detail {
 
-const Kernels avx512_kernels = {"avx512", lambert_tile, look_tile, rays_float, rays_double, nearest, visible};
+const Kernels avx512_kernels = {"avx512", lambert_tile, look_tile, rays_float, rays_double,
+                                nearest,  visible,      path_tile, path_places};
 
 }  // namespace enfilade::render::detail

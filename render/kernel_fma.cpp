@@ -5,6 +5,7 @@
 
 namespace enfilade::render::detail {
 
-const Kernels fma_kernels = {"fma", lambert_tile, look_tile, rays_float, rays_double, nearest, visible};
+const Kernels fma_kernels = {"fma",   lambert_tile, look_tile, rays_float, rays_double,
+                             nearest, visible,      path_tile, path_places};
 
 }  // namespace enfilade::render::detail

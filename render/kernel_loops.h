@@ -4,8 +4,8 @@
 #include "render/block_loops.h"
 #include "render/block_streams.h"
 #include "render/kernel.h"
-#include "render/look_loops.h"
 #include "render/mirror.h"
+#include "render/path_loops.h"
 #include "render/ray_loops.h"
 #include "render/rooms.h"
 #include "render/shade.h"
@@ -95,6 +95,14 @@ void lambert_tile(const detail::TileJob& job) {
         if (job.is_double) lambert_rows<double>(job, rooms, events);
         else lambert_rows<float>(job, rooms, events);
     });
+}
+
+void path_tile(const detail::PathJob& job) {
+    traced(job, [&](const auto& rooms, auto& events) { path_rows(job, rooms, events); });
+}
+
+void path_places(const detail::PathJob& job) {
+    traced(job, [&](const auto& rooms, auto& events) { path_each_place(job, rooms, events); });
 }
 
 void rays_float(const detail::RayJob& job) {
