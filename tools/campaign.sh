@@ -10,6 +10,9 @@
 # tools/campaign.sh octrees [COUNT [SERIES]]: asks octrees of random meshes and options COUNT rays of thirteen families (10000000), in
 # every layout, by every walk and instruction set, and prints what differed from brute force. Ends with 1 where any did without
 # running along a triangle's plane.
+# tools/campaign.sh lights [COUNT [SERIES]]: asks light trees whether COUNT random places (10000000) see random lamps, in offices,
+# generated buildings and the homes of ../shared, and a tenth as many among furniture, and prints what walks in double precision
+# answer otherwise. Ends with 1 where a lamp was missed, or differs without an edge near.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # campaign FOLDER TEST FILTER WORD HEAD...: builds tests/FOLDER/TEST and runs what of it the filter names. Prints the head, then
@@ -41,6 +44,12 @@ rays)
     export ENFILADE_RAYS=${2:-1000000000} ENFILADE_RAYS_SERIES=${3:-0}
     campaign render tracers_in_buildings_test Leaks.AreNone rays family tracer rays leaks "several exits" "no exit" "other face" \
         "of these looked at" "no edge near"
+    exit
+    ;;
+lights)
+    export ENFILADE_LAMP_PAIRS=${2:-10000000} ENFILADE_LAMP_SERIES=${3:-0}
+    campaign render lamp_campaign_test 'LampCampaign.MissesNoLamp*' lights building "places and lamps" seen "missed by lists" \
+        "other light" "no edge near"
     exit
     ;;
 octrees)
