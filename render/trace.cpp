@@ -48,11 +48,12 @@ void validate(const TraceOptions& options) {
         refuse("only the scalar tracer walks in double precision");
 }
 
-/// Whether lanes know all that lights a picture: not lamps without trees, nor materials that are more than a colour.
+/// Whether lanes know all that lights a picture: not materials that are more than a colour, nor objects that trees know
+/// nothing of.
 bool suits_lanes(const detail::TileJob& job) {
     if (job.lamps == nullptr) return true;
-    const bool knows_objects = job.objects == nullptr || job.lamps->trees.beam_object_lists.count != 0;
-    return job.lamps->search == LampSearch::Tree && knows_objects && job.mirror_floor == 0 && !job.scene->has_looks();
+    const bool asks_trees = job.lamps->search == LampSearch::Tree && job.objects != nullptr;
+    return !job.scene->has_looks() && (!asks_trees || job.lamps->trees.beam_object_lists.count != 0);
 }
 
 /// Lambert's loop of a tracer; the scalar one where there are no lanes, or what they know nothing of.
@@ -77,8 +78,11 @@ Lamps prepared(const accel::SceneView& scene, const LampOptions& options, const 
 Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOptions& options) {
     validate(options);
     const CameraFrame frame = make_frame(camera);
+    // A lamp at the eye alone shows plain colours, whoever traces, with any number of samples.
+    accel::SceneView plain_scene = scene;
+    if (options.shading == Shading::Lambert && !options.lamps) plain_scene.material_looks = {};
     detail::TileJob job = {};
-    job.scene = &scene;
+    job.scene = &plain_scene;
     job.camera = &frame;
     job.look = &options.look;
     job.samples_a_side = std::max(1, static_cast<int>(std::ceil(std::sqrt(std::max(1, options.samples_per_pixel)))));

@@ -116,10 +116,12 @@ public:
 
     FaceLamps() {}  // what is read was written
 
-    /// The lamps of the face's cell over a rectangle. False where there are too many, or one without tree.
+    /// The lamps of the face's cell over a rectangle. False where there are too many, one without
+    /// tree, or where trees are not asked.
     [[nodiscard]] HWY_NOINLINE bool take_all(const detail::TileJob& job, const accel::SceneView& scene,
                                              const LitFace& face, const FaceCorners& at, LampSpan& span) {
         const accel::LightTreesView& trees = job.lamps->trees;
+        if (job.lamps->search != LampSearch::Tree) return false;
         lit_top_ = part_top_ = edge_top_ = object_top_ = 0;
         span.has_objects = false;
         is_one_colour = true;

@@ -9,11 +9,6 @@ HWY_INLINE Vec3f tint_of(const accel::LightTreesView& trees, std::uint32_t beam)
     const accel::Vertex& tint = trees.tints[trees.beams[beam].tint];
     return {tint.x, tint.y, tint.z};
 }
-HWY_INLINE Vec3f place_of(const accel::Light& lamp) { return {lamp.position[0], lamp.position[1], lamp.position[2]}; }
-HWY_INLINE Vec3f intensity_of(const accel::Light& lamp) {
-    return {lamp.intensity[0], lamp.intensity[1], lamp.intensity[2]};
-}
-
 /// Of lux on a white surface: what it becomes in the picture.
 HWY_INLINE float lamp_scale(const Lamps& lamps) { return 0.318309886f * lamps.exposure; }
 
@@ -44,65 +39,6 @@ HWY_INLINE Floats<N> share_of_lamp(const Points<N>& way, const Floats<N>& toward
     return towards * (inverse * inverse * inverse);
 }
 
-/// Whether a place in a cell sees a lamp, as lamp_light.h walks to it.
-template <class Events>
-HWY_INLINE bool sees_lamp(const accel::SceneView& scene, const ObjectTracer* objects, Vec3f p, std::uint32_t cell,
-                          const accel::Light& lamp, Vec3f& throughput, Events& events) {
-    const auto to_cell = static_cast<std::uint32_t>(lamp.cell);
-    if (cell == to_cell && objects == nullptr) return true;
-    const Vec3f way = place_of(lamp) - p;
-    Ray<float> ray;
-    if (!make_ray(p, way, ray)) return true;
-    const ToPoint<float> stop = {largest_part(way) / largest_part(ray.direction), to_cell};
-    if (objects == nullptr) return walk(scene, ray, cell, stop, throughput, events).status == WalkStatus::Reached;
-    const float touch = touch_slack / length(ray.direction);
-    const ObjectPart part = {touch, stop.t - touch};
-    ObjectHit<float> hit;
-    if (cell == to_cell)
-        return !meets_objects<ObjectsAsked::Any>(scene, *objects, ray, scene_slabs(ray), cell, part.near, part.far,
-                                                 hit);
-    return walk_asking<ObjectsAsked::Any>(scene, *objects, ray, cell, stop, part, throughput, events, hit).status ==
-           WalkStatus::Reached;
-}
-
-/// Which places in a cell see a lamp, by walks one by one; multiplies tints by those of the glass on the way. objects:
-/// nullptr in bare rooms
-template <int N>
-HWY_NOINLINE Bits seen_by_walks(const accel::SceneView& scene, const ObjectTracer* objects, const Points<N>& point,
-                                const accel::Light& lamp, std::uint32_t cell, Bits some, Light<N>& tints) {
-    if (static_cast<std::uint32_t>(lamp.cell) == no_cell) return 0;
-    float at[3][N], tint[3][N];
-    store(point.x, at[0]);
-    store(point.y, at[1]);
-    store(point.z, at[2]);
-    NoEvents events;
-    Bits seen = 0;
-    for (auto& channel : tint)
-        for (float& value : channel) value = 1;
-    for (; some != 0; some &= some - 1) {
-        const int i = static_cast<int>(lowest_bit(some));
-        Vec3f throughput = {1, 1, 1};
-        if (!sees_lamp(scene, objects, {at[0][i], at[1][i], at[2][i]}, cell, lamp, throughput, events)) continue;
-        seen |= Bits(1) << i;
-        tint[0][i] = throughput.x;
-        tint[1][i] = throughput.y;
-        tint[2][i] = throughput.z;
-    }
-    tints = {tints.r * load<N>(tint[0]), tints.g * load<N>(tint[1]), tints.b * load<N>(tint[2])};
-    return seen;
-}
-
-/// Which of the places that a beam holds have an object in their way to its lamp.
-template <int N>
-HWY_NOINLINE Bits in_shade_of(const accel::SceneView& scene, const ObjectTracer& tracer,
-                              const accel::ObjectsOfBeam& objects, const Points<N>& point, const accel::Light& lamp,
-                              std::uint32_t cell, Bits some) {
-    const Bits blocked = blocked_by(scene, tracer, objects.first, objects.count, point, place_of(lamp), some);
-    if (HWY_LIKELY(blocked == 0 || !objects.must_walk)) return blocked;
-    Light<N> tints = {Floats<N>(1), Floats<N>(1), Floats<N>(1)};
-    return blocked & ~seen_by_walks(scene, &tracer, point, lamp, cell, blocked, tints);
-}
-
 /// Places in one cell where light is gathered.
 template <int N>
 struct LitLanes {
@@ -112,57 +48,84 @@ struct LitLanes {
     Points<N> normal;  ///< of length 1, on the light's side
 };
 
-/// Adds the light of a lamp without tree.
+/// Adds the light of a lamp to which it takes a walk.
 template <int N>
 HWY_NOINLINE void add_walked(const detail::TileJob& job, const accel::SceneView& scene, const LitLanes<N>& at,
                              const accel::Light& lamp, const Floats<N>& share, Bits some, Light<N>& sum) {
     using F = Floats<N>;
     const Vec3f light = intensity_of(lamp);
     Light<N> tints = {F(light.x), F(light.y), F(light.z)};
-    const Bits seen = seen_by_walks(scene, job.objects, at.point, lamp, at.cell, some, tints);
+    const Bits seen = walk_to_lamp(scene, job.objects, at.point, lamp, at.cell, some, tints);
     const F weight = choose(seen, share, F(0));
     sum = {fused_lanes(weight, tints.r, sum.r), fused_lanes(weight, tints.g, sum.g),
            fused_lanes(weight, tints.b, sum.b)};
+}
+
+/// A lamp and places before and behind it.
+template <int N>
+struct LampAt {
+    const accel::Light& lamp;
+    Points<N> way;  ///< from the lamp to the places
+    Floats<N> towards;
+    Bits before;  ///< places that face it
+
+    HWY_INLINE LampAt(const LitLanes<N>& at, const accel::Light& lamp_) : lamp(lamp_) {
+        using F = Floats<N>;
+        const Vec3f place = place_of(lamp);
+        way = {at.point.x - F(place.x), at.point.y - F(place.y), at.point.z - F(place.z)};
+        towards = -dot_lanes(way, at.normal);
+        before = at.rays & is_less(F(0), towards);
+    }
+};
+
+/// Adds what a lamp gives through the beams [k, end) of a cell's list.
+template <int N>
+HWY_INLINE void add_through_beams(const detail::TileJob& job, const accel::SceneView& scene, const LitLanes<N>& at,
+                                  const LampAt<N>& from, std::uint32_t k, std::uint32_t end, Light<N>& sum) {
+    using F = Floats<N>;
+    const accel::LightTreesView& trees = job.lamps->trees;
+    Bits left = from.before;
+    for (; k < end && left != 0; ++k) {
+        const std::uint32_t beam = trees.cell_lights[k].beam;
+        Bits held = held_by(trees.planes_of(beam), from.way, left);
+        left &= ~held;
+        if (job.objects != nullptr && held != 0) {
+            const accel::ObjectsOfBeam objects = trees.objects_of(beam);
+            if (objects.count != 0)
+                held &= ~in_shade_of(scene, *job.objects, objects, at.point, from.lamp, at.cell, held);
+        }
+        if (held == 0) continue;
+        const F share = choose(held, share_of_lamp(from.way, from.towards, job.rgb != nullptr), F(0));
+        const Vec3f light = tint_of(trees, beam) * intensity_of(from.lamp);
+        sum = {fused_lanes(share, F(light.x), sum.r), fused_lanes(share, F(light.y), sum.g),
+               fused_lanes(share, F(light.z), sum.b)};
+    }
 }
 
 /// Lux of the lamps that they see; zeros in other lanes.
 template <int N>
 HWY_NOINLINE Light<N> lamp_light(const detail::TileJob& job, const accel::SceneView& scene, const LitLanes<N>& at) {
     using F = Floats<N>;
-    const accel::LightTreesView& trees = job.lamps->trees;
-    const bool is_exact = job.rgb != nullptr;
-    const auto shaded = [&](std::uint32_t beam, const accel::Light& lamp, Bits held) HWY_ATTR {
-        if (job.objects == nullptr) return Bits(0);
-        const accel::ObjectsOfBeam objects = trees.objects_of(beam);
-        if (objects.count == 0) return Bits(0);
-        return in_shade_of(scene, *job.objects, objects, at.point, lamp, at.cell, held);
-    };
     Light<N> sum = {F(0), F(0), F(0)};
+    const auto walk_to = [&](const LampAt<N>& from) HWY_ATTR {
+        if (from.before == 0) return;
+        add_walked(job, scene, at, from.lamp, share_of_lamp(from.way, from.towards, job.rgb != nullptr), from.before,
+                   sum);
+    };
+    if (job.lamps->search == LampSearch::Naive) {
+        for (const accel::Light& lamp : scene.lights) walk_to(LampAt<N>(at, lamp));
+        return sum;
+    }
+    const accel::LightTreesView& trees = job.lamps->trees;
+    const bool has_trees = job.lamps->search == LampSearch::Tree;
     const std::uint32_t end = trees.cell_offsets[at.cell + 1];
     std::uint32_t next = trees.cell_offsets[at.cell];
     for (std::uint32_t k = next; k < end; k = next) {
         next = end_of_lamp(trees, k, end);
-        const accel::Light& lamp = scene.lights[index(trees.cell_lights[k].light)];
-        const Vec3f place = place_of(lamp);
-        const Points<N> way = {at.point.x - F(place.x), at.point.y - F(place.y), at.point.z - F(place.z)};
-        const F towards = -dot_lanes(way, at.normal);
-        Bits left = at.rays & is_less(F(0), towards);
-        for (; k < next && left != 0; ++k) {
-            const std::uint32_t beam = trees.cell_lights[k].beam;
-            if (HWY_UNLIKELY(beam == accel::no_beam)) {
-                add_walked(job, scene, at, lamp, share_of_lamp(way, towards, is_exact), left, sum);
-                break;
-            }
-            const Bits held = held_by(trees.planes_of(beam), way, left);
-            if (held == 0) continue;
-            left &= ~held;
-            const Bits seen = held & ~shaded(beam, lamp, held);
-            if (seen == 0) continue;
-            const F share = choose(seen, share_of_lamp(way, towards, is_exact), F(0));
-            const Vec3f light = tint_of(trees, beam) * intensity_of(lamp);
-            sum = {fused_lanes(share, F(light.x), sum.r), fused_lanes(share, F(light.y), sum.g),
-                   fused_lanes(share, F(light.z), sum.b)};
-        }
+        const LampAt<N> from(at, scene.lights[index(trees.cell_lights[k].light)]);
+        if (has_trees && trees.cell_lights[k].beam != accel::no_beam)
+            add_through_beams(job, scene, at, from, k, next, sum);
+        else walk_to(from);
     }
     return sum;
 }
@@ -173,13 +136,13 @@ HWY_INLINE Points<N> in_all_lanes(Vec3f v) {
     return {Floats<N>(v.x), Floats<N>(v.y), Floats<N>(v.z)};
 }
 
-/// The light that a face shows to rays that end at it by `way`.
+/// The light that a face of that colour shows to rays that end at it by `way`.
 template <int N>
 HWY_NOINLINE void add_lit_face(const detail::TileJob& job, const accel::SceneView& scene, const Rays<N>& rays,
-                               const Way& way, std::uint32_t cell, Light<N>& light) {
+                               const Way& way, std::uint32_t cell, Vec3f own, Light<N>& light) {
     using F = Floats<N>;
     const F t = parameter_of(scene, rays, cell, way);
-    LitLanes<N> at = {way.rays, cell, {}, in_all_lanes<N>(-outward_normal(scene, way))};
+    LitLanes<N> at = {way.rays & all_bits<N>, cell, {}, in_all_lanes<N>(-outward_normal(scene, way))};
     const accel::Cell& c = scene.cells[cell];
     const Points<N>&o = rays.origin, &d = rays.direction;
     at.point = {fused_lanes(t, d.x, o.x), fused_lanes(t, d.y, o.y), fused_lanes(t, d.z, o.z)};
@@ -187,7 +150,7 @@ HWY_NOINLINE void add_lit_face(const detail::TileJob& job, const accel::SceneVie
     if (way.exit == Exit::Floor) at.point.z = F(c.z_floor);
     if (way.exit == Exit::Ceiling) at.point.z = F(c.z_ceiling);
     const Light<N> lux = lamp_light(job, scene, at);
-    const Vec3f colour = lamp_scale(*job.lamps) * colour_of(scene, scene.source_faces[way.target_bits]);
+    const Vec3f colour = lamp_scale(*job.lamps) * own;
     light = choose_light(way.rays, Light<N>{lux.r * F(colour.x), lux.g * F(colour.y), lux.b * F(colour.z)}, light);
 }
 
@@ -230,7 +193,8 @@ HWY_NOINLINE Light<N> lamp_light_of(const Seen<N>& seen, const Rays<N>& rays, co
                                     const Tints<N>& tints) {
     Light<N> light = {Floats<N>(0), Floats<N>(0), Floats<N>(0)};
     for (int i = 0; i < seen.ends.size; ++i)
-        add_lit_face(seen.job, seen.scene, rays, seen.ends.way[i], seen.ends.cell[i], light);
+        add_lit_face(seen.job, seen.scene, rays, seen.ends.way[i], seen.ends.cell[i],
+                     colour_of(seen.scene, seen.scene.source_faces[seen.ends.way[i].target_bits]), light);
     if (seen.has_hits) add_lit_objects(seen, rays, light);
     return with_sky_and_glass(seen, inverse_length, tints, light);
 }

@@ -50,6 +50,8 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/lamp_objects-inl.h"
 //
+#include "render/lanes/lamp_walks-inl.h"
+//
 #include "render/lanes/lamp_points-inl.h"
 //
 #include "render/lanes/lamp_face-inl.h"

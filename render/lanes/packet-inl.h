@@ -166,6 +166,7 @@ private:
         bundle.floor = (1 - job_.mirror_floor) * light;
         bundle.tint = job_.mirror_floor * bundle.tint;
         bundle.is_mirrored = true;
+        bundle.floor_cell = bundle.cell;
         bundle.came_from = no_cell;
         bundle.mirror_level = scene_.cells[bundle.cell].z_floor;
     }
@@ -178,9 +179,12 @@ private:
         const float shown = lamp_scale(*job_.lamps);
         LitFace faces[2];
         LitLayers layers;
-        bool is_whole = !is_sky && !bundle.is_mirrored;
+        bool is_whole = !is_sky;
+        if (bundle.is_mirrored)
+            make_lit_face(scene_, *job_.camera, floor_way(scene_, bundle), bundle.floor_cell, nullptr,
+                          shown * bundle.floor, faces[layers.count++]);
         if (is_whole)
-            make_lit_face(scene_, *job_.camera, way, bundle.cell, nullptr,
+            make_lit_face(scene_, *job_.camera, way, bundle.cell, bundle.is_mirrored ? &bundle.mirror_level : nullptr,
                           shown * bundle.tint * colour_of(scene_, seen), faces[layers.count++]);
         for (int l = 0; l < layers.count && is_whole; ++l) {
             const FaceCorners corners(*job_.camera, faces[l], at);

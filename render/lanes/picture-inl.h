@@ -18,13 +18,19 @@ HWY_INLINE Points<N> directions(const CameraFrame& camera, const Floats<N>& x, c
 struct Bundle {
     std::uint32_t cell;
     bool is_mirrored = false;
-    float mirror_level = 0;             ///< height of the floor that mirrored it
-    Vec3f floor = {0, 0, 0};            ///< that floor's own light where it is lit straight
-    Vec3f tint = {1, 1, 1};             ///< of what it meets
-    std::uint32_t came_from = no_cell;  ///< the cell before; none where it began in this one, or at a mirror in it
-    Exit came_by = Exit::Side;          ///< how it left that one
+    float mirror_level = 0;              ///< height of the floor that mirrored it
+    Vec3f floor = {0, 0, 0};             ///< that floor's own light where it is lit straight
+    std::uint32_t floor_cell = no_cell;  ///< whose floor it is
+    Vec3f tint = {1, 1, 1};              ///< of what it meets
+    std::uint32_t came_from = no_cell;   ///< the cell before; none where it began in this one, or at a mirror in it
+    Exit came_by = Exit::Side;           ///< how it left that one
     std::uint32_t section = no_section, next_section = no_section;
 };
+
+/// The way to the floor that mirrored a bundle. \pre one did
+HWY_INLINE Way floor_way(const accel::SceneView& scene, const Bundle& bundle) {
+    return {~Bits(0), Exit::Floor, no_section, no_section, 0, scene.cells[bundle.floor_cell].floor.bits};
+}
 
 /// From where on objects count for rays of a bundle: where they came into its cell.
 template <int N>
@@ -313,7 +319,12 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
     if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(rays.all(), seen, inverse_length, tints, light, events);
     if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1})))
         light = {light.r * F(bundle.tint.x), light.g * F(bundle.tint.y), light.b * F(bundle.tint.z)};
-    if (HWY_UNLIKELY(bundle.is_mirrored && job.lamps == nullptr)) {
+    if (HWY_UNLIKELY(bundle.is_mirrored && job.lamps != nullptr)) {
+        const EyeRays<N> straight(outlooks, job.camera->origin, directions);
+        Light<N> floor = {F(0), F(0), F(0)};
+        add_lit_face(job, scene, straight.all(), floor_way(scene, bundle), bundle.floor_cell, bundle.floor, floor);
+        light = {light.r + floor.r, light.g + floor.g, light.b + floor.b};
+    } else if (HWY_UNLIKELY(bundle.is_mirrored)) {
         const F lit = magnitude_of(rays.direction.z) * inverse_length;
         light = {light.r + lit * F(bundle.floor.x), light.g + lit * F(bundle.floor.y),
                  light.b + lit * F(bundle.floor.z)};
