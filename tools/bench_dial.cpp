@@ -185,6 +185,7 @@ void bench_dial(Bench& bench) {
     dial_tracers(bench, build_scene(plan, {}).scene.view(), name);
     dial_objects(bench);
     dial_octrees(bench);
+    dial_lights(bench);
 }
 
 }  // namespace enfilade::tools

@@ -19,4 +19,8 @@ void dial_objects(Bench& bench);
 /// speed, and rays that are answered otherwise.
 void dial_octrees(Bench& bench);
 
+/// Rows for the ways to find lamps, their precision, samples a pixel, and paths (bench_dial_lights.cpp): time of a
+/// picture, memory, and how far it is from walks to all lamps in double precision, or from many samples.
+void dial_lights(Bench& bench);
+
 }  // namespace enfilade::tools

@@ -36,10 +36,10 @@ void bench_building(Bench& bench, const TracedBuilding& building, std::size_t la
 
 }  // namespace
 
-LitScene::LitScene(const std::string& building, const accel::SceneView& scene, std::size_t count, LampPlaces places)
-    : name(building + ", " + grouped(count) + " lamps" + (places == LampPlaces::Outside ? " outside" : "")),
-      lamp_count(count),
-      lamps(spread_lamps(scene, count, places)),
+LitScene::LitScene(const std::string& building, const accel::SceneView& scene, std::size_t count, LampPlaces where)
+    : name(building + ", " + grouped(count) + " lamps" + (where == LampPlaces::Outside ? " outside" : "")),
+      places(where),
+      lamps(spread_lamps(scene, count, where)),
       view(with_lamps(scene, lamps)) {
     const std::unique_ptr<accel::Executor> cores = render::make_executor();
     tree_seconds = seconds_of([&] { trees = accel::build_light_trees(view, {}, *cores); });

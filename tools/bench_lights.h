@@ -16,7 +16,7 @@ namespace enfilade::tools {
 /// A scene with lamps spread over it, its light trees, and the lists that Embree is given of them.
 struct LitScene {
     std::string name;  ///< "office-135, 200 lamps"
-    std::size_t lamp_count;
+    LampPlaces places;
     std::vector<accel::Light> lamps;
     accel::SceneView view;
     double tree_seconds = 0;

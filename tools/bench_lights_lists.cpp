@@ -62,9 +62,9 @@ void add_missed(Bench& bench, const LitScene& scene) {
     bench.add(on(scene, {.row = "random places that see a random lamp",
                          .value = 100 * double(all.seen) / double(std::max<std::uint64_t>(1, all.pairs)),
                          .unit = "%"}));
-    bench.add(on(scene, {.row = "of " + grouped(all.pairs) + " places and lamps: missed by lists",
+    bench.add(on(scene, {.row = "random places and lamps: missed by lists",
                          .value = double(all.missed),
-                         .unit = "lamps",
+                         .unit = "of " + grouped(all.pairs),
                          .goal = value_at_most(0)}));
     bench.add(on(scene, {.row = "other light than by walks in double",
                          .value = 1e6 * double(all.others) / double(std::max<std::uint64_t>(1, all.pairs)),

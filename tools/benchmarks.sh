@@ -10,5 +10,6 @@ build/release/tools/enfilade bench all "$@" --json out/bench/all.json
 /usr/bin/python3 tools/plot_dial.py out/bench/all.json docs/dial.svg
 /usr/bin/python3 tools/plot_convexify.py out/bench/all.json docs/convexify.svg
 /usr/bin/python3 tools/plot_octree.py out/bench/all.json docs/octree.svg
+/usr/bin/python3 tools/plot_lights.py out/bench/all.json docs/lights.svg
 /usr/bin/python3 tools/benchmarks_page.py out/bench/all.json "tools/benchmarks.sh${*:+ $*}" >docs/benchmarks.md
 echo "docs/benchmarks.md is written."

@@ -16,6 +16,7 @@ TITLES = {
     "furniture": "Furnishing by rule",
     "octree": "Octrees over single meshes",
     "furnished": "Tracing furnished floors",
+    "lights": "Pictures lit by many lamps",
     "dial": "What each option costs",
 }
 NOTES = {
@@ -48,6 +49,14 @@ NOTES = {
                  "*16, coherent* is what ratios of pictures are against, of triangles or quads, whichever is faster. The faces as an "
                  "instance, too, and all triangles in one structure are slower. Its shadow rays are never said to be coherent: with "
                  "instances Embree 3.13 may then never return.",
+    "lights": "![Walks, lists and trees, and speed over the number of lamps](lights.svg)\n\nThe paper's three floors with their 8, 55 and "
+              "200 lamps, and 2,500 lamps around the last one; one thread but for building lists and trees. A shadow ray is a pair of a "
+              "pixel and a lamp that its cell may see (its list), whether or not the pixel faces it; naive walks ask for every lamp. "
+              "In brackets: how many times faster than Embree at its best of 24 ways to ask (1, 8 or 16 rays, coherent or not, from lamps "
+              "or from places, triangles or quads), which is given the same lists, the cell of each pixel for nothing, and the same "
+              "light in lanes; *shadow rays and shading* is a lit picture less the same picture without lamps, against Embree from "
+              "first hits that it is given for nothing. *scalar pvs* and *scalar tree* of lit pictures are against naive and pvs; *primary and shadow "
+              "rays* against the same tracer without lamps. **!**: below the goal.",
     "dial": "![Error over time of each option](dial.svg)\n\nAn error is measured on the same rays against the finest value of "
             "the option, or against the oracle where the row says so.",
 }
@@ -250,6 +259,37 @@ def octree_tables(rows):
     return "\n\n".join(texts)
 
 
+def lights_tables(rows):
+    """A line for each quantity and a column for each scene; growth and the number of lamps apart."""
+    def part(row):
+        return "growth" if row["row"].startswith("growth: ") else "counts" if " lamps: " in row["row"] else ""
+
+    def tabled(chosen, title):
+        scenes = list(dict.fromkeys(row["scene"] for row in chosen))
+        found = {}
+        for row in chosen:
+            unit = "" if row["unit"].startswith("of ") else f", {row['unit']}"
+            goal = f" (goal {row['goal']})" if row["goal"] else ""
+            line = found.setdefault((title(row), unit), {"goal": ""})
+            line["goal"] = line["goal"] or goal
+            line[row["scene"]] = row
+        lines = ["| what | " + " | ".join(scenes) + " |", "|---|" + "--:|" * len(scenes)]
+        lines += [f"| {name}{unit}{line['goal']} | " + " | ".join(cell(line.get(scene)) for scene in scenes) + " |"
+                  for (name, unit), line in found.items()]
+        return "\n".join(lines)
+
+    parts = {}
+    for row in rows:
+        parts.setdefault(part(row), []).append(row)
+    texts = [tabled(parts.get("", []), lambda row: row["row"])]
+    if "counts" in parts:
+        texts += ["### More and more lamps on one floor (the paper's figure 13)",
+                  tabled(parts["counts"], lambda row: row["row"].partition(": ")[2])]
+    if "growth" in parts:
+        texts += ["### Lists and trees of larger and larger floors", tabled(parts["growth"], lambda row: row["row"].partition(": ")[2])]
+    return "\n\n".join(texts)
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         data = json.load(file)
@@ -265,7 +305,7 @@ def main():
         if bench in NOTES:
             print(NOTES[bench] + "\n")
         rows = list(rows)
-        print({"convexify": convexify_tables, "cells": cells_tables, "octree": octree_tables}.get(bench, table)(rows))
+        print({"convexify": convexify_tables, "cells": cells_tables, "octree": octree_tables, "lights": lights_tables}.get(bench, table)(rows))
 
 
 if __name__ == "__main__":

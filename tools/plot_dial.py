@@ -11,7 +11,7 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
-NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+) (\S+): (.+)")
+NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+|lights|light-[a-z]+|samples|path-[a-z]+) (\S+): (.+)")
 PACKET_ROW = re.compile(r"packet (\d+) to (\d+): speed")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
 # What furniture's options cost: their first panel's quantity, its label, and the panel's title.
@@ -29,6 +29,15 @@ OCTREES = {
     "octree-balance": "2:1 between neighbours",
     "octree-layout": "what rays walk",
     "octree-real": "the paper's walk",
+}
+# Options of light, on one picture: beside those of octrees.
+LIGHTS = {
+    "lights": "which lamps are walked to",
+    "light-real": "light trees in",
+    "light-clusters": "lamps that stand for others",
+    "samples": "samples a pixel",
+    "path-samples": "samples of paths a pixel",
+    "path-lamps": "lamps asked at each place of a path",
 }
 CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
@@ -119,6 +128,23 @@ def draw_octrees(axes, named_bars):
         draw_bars(memory, {name.replace("automatic", "auto"): value for name, value in named["memory"].items()}, "structure (MB)")
 
 
+def draw_lights(axes, named_bars):
+    """A column of panels for each option of light: error of the picture, time, and memory where the option has any."""
+    for (error, time, memory), option in zip(axes.T, [option for option in LIGHTS if option in named_bars]):
+        named = named_bars[option]
+        places = range(len(named["time"]))
+        for shift, quantity, legend in ((-0.2, "error, mean", "mean"), (0.2, "error, 999 of 1000", "999 of 1000 below")):
+            error.bar([place + shift for place in places], named[quantity].values(), width=0.4, label=legend)
+        error.set_xticks(places, list(named["time"]))
+        error.set(title=f"light: {LIGHTS[option]}", ylabel="error of the picture (of white)")
+        error.set_ylim(0, max(1e-6, 1.3 * max(*named["error, mean"].values(), *named["error, 999 of 1000"].values())))
+        error.legend(fontsize=8, loc="upper right", ncols=2)
+        error.grid(True, axis="y", alpha=0.3)
+        draw_bars(time, named["time"], "picture (ms)", 1000)
+        if any(named["memory"].values()):
+            draw_bars(memory, named["memory"], "lists and trees (MB)")
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = json.load(file)["rows"]
@@ -128,8 +154,9 @@ def main():
     furniture = sum(option in named_bars for option in FURNITURE)
     columns = len(options) + bool(ways) + bool(tracing) + furniture
     octrees = sum(option in named_bars for option in OCTREES)
-    columns = max(columns, octrees)
-    lines = 6 if octrees else 3
+    lights = sum(option in named_bars for option in LIGHTS)
+    columns = max(columns, octrees + lights)
+    lines = 6 if octrees or lights else 3
     figure, all_axes = pyplot.subplots(lines, columns, figsize=(4.6 * columns, 2.7 * lines), layout="constrained", squeeze=False)
     axes = all_axes[:3]
     for (error, time, memory), (option, named) in zip(axes.T, options.items()):
@@ -157,6 +184,8 @@ def main():
         draw_furniture(axes[:, len(options) + bool(ways) + bool(tracing):], named_bars)
     if octrees:
         draw_octrees(all_axes[3:, :octrees], named_bars)
+    if lights:
+        draw_lights(all_axes[3:, octrees:octrees + lights], named_bars)
     for panel in all_axes.flat:
         panel.set_visible(panel.has_data())
     figure.savefig(sys.argv[2], metadata={"Date": None})
