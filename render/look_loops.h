@@ -8,6 +8,7 @@
 #include "render/rooms.h"
 #include "render/sampling.h"
 #include "render/shade.h"
+#include "render/surface.h"
 
 namespace enfilade::render {
 inline namespace ENFILADE_ISA {
@@ -37,8 +38,10 @@ struct LookTools {
 
 /// Whether a ray that ended so sees the sky, or at least nothing within its reach.
 template <class T>
-bool is_open(const accel::SceneView& scene, const WalkEnd<T>& end) {
-    if (end.status == WalkStatus::Object) return false;
+bool is_open(const accel::SceneView& scene, const Sight<T>& sight) {
+    const WalkEnd<T>& end = sight.end;
+    if (end.status == WalkStatus::Object)
+        return scene.has_looks() && is_glass(scene, sight.hit.object, sight.hit.triangle);
     return end.status != WalkStatus::Hit || scene.source_faces[end.target.bits].surface == accel::Surface::Sky;
 }
 
@@ -52,7 +55,7 @@ float ambient_openness(const LookTools<Rooms, Events>& tools, const LitPlace<T>&
         Vec3f throughput = {1, 1, 1};
         const Sight<T> sight = tools.rooms.look_along(tools.scene, ray, at.cell, Limit<T>{T(look.ambient_reach)},
                                                       throughput, tools.events);
-        const float reached = is_open(tools.scene, sight.end)
+        const float reached = is_open(tools.scene, sight)
                                   ? 1.0f
                                   : static_cast<float>(parameter(tools.scene, ray, sight) / T(look.ambient_reach));
         open += reached > 0 ? (reached < 1 ? reached * (2 - reached) : 1.0f) : 0.0f;
@@ -110,51 +113,158 @@ Vec3f lit_colour(const LookTools<Rooms, Events>& tools, const LitPlace<T>& at, f
     return under_shoulder(tools.look, light * colour);
 }
 
-/// What the light shows of where a walk ended; throughput not yet counted.
+/// A place that a ray found, and what light does there.
+template <class T>
+struct Found {
+    LitPlace<T> place;
+    float headlight;  ///< Lambert's cosine for a lamp at the eye
+    Surfacing surfacing;
+};
+
+/// Of where a walk ended, other than in the sky. width: of the ray's beam there, metres
 template <class T, class Rooms, class Events>
-Vec3f look_colour(const LookTools<Rooms, Events>& tools, const Ray<T>& ray, const Sight<T>& sight, Sampler& sampler) {
+Found<T> what_is_found(const LookTools<Rooms, Events>& tools, const Ray<T>& ray, const Sight<T>& sight, float width) {
     const accel::SceneView& scene = tools.scene;
-    const Look& look = tools.look;
-    const WalkEnd<T>& end = sight.end;
-    if (end.status == WalkStatus::Reached) return sky_colour(look, vec_cast<float>(ray.direction));
     if constexpr (Rooms::are_furnished) {
-        if (end.status == WalkStatus::Object) {
+        if (sight.end.status == WalkStatus::Object) {
             const Vec3f normal = facing_normal(ray, sight.hit);
-            return lit_colour(tools, LitPlace<T>{off_object(ray, sight.hit, normal), normal, end.cell},
-                              look.headlight * headlight_cosine(ray, sight.hit),
-                              object_colour(scene, sight.hit.object, sight.hit.triangle), sampler);
+            return {{off_object(ray, sight.hit, normal), normal, sight.end.cell},
+                    headlight_cosine(ray, sight.hit),
+                    surfacing_of_object(scene, ray, sight.hit, normal, width)};
         }
     }
-    if (end.status != WalkStatus::Hit) return {1, 0, 1};
-    const accel::SourceFace& face = scene.source_faces[end.target.bits];
-    if (face.surface == accel::Surface::Sky) return sky_colour(look, vec_cast<float>(ray.direction));
-    return lit_colour(tools, LitPlace<T>{end_point(scene, ray, end), normal_of(scene, end), end.cell},
-                      look.headlight * headlight_cosine(scene, ray, end), colour_of(scene, face), sampler);
+    const WalkEnd<T>& end = sight.end;
+    const LitPlace<T> place = {end_point(scene, ray, end), normal_of(scene, end), end.cell};
+    return {place, headlight_cosine(scene, ray, end),
+            surfacing_of_face(scene, ray, end, vec_cast<float>(place.point), place.normal, width)};
 }
 
-/// In a dollhouse a reflected ray that rises through the cut sees the sky.
-template <class T, class Rooms, class Events>
-Vec3f look_in_mirror(const LookTools<Rooms, Events>& tools, const Ray<T>& ray, const WalkEnd<T>& end, Vec3f own,
-                     Sampler& sampler) {
-    const detail::TileJob& job = tools.job;
-    const Ray<T> image = mirrored(ray, T(tools.scene.cells[end.cell].z_floor));
-    const T limit = job.is_cut ? (T(job.cut_z) - image.origin.z) / image.direction.z : T(3e38f);
-    Vec3f throughput = {1, 1, 1};
-    const Sight<T> seen = tools.rooms.look_along(tools.scene, image, end.cell, Limit<T>{limit}, throughput,
-                                                 tools.events, parameter(tools.scene, ray, end));
-    return in_mirror(job.mirror_floor, own, throughput * look_colour(tools, image, seen, sampler));
+/// A part of a pixel's light that is still to be followed.
+template <class T>
+struct Way {
+    Ray<T> ray;
+    std::uint32_t cell;
+    T first;           ///< the parameter from which objects count
+    float width;       ///< of its beam where it starts to count, metres
+    float spread;      ///< by which that grows, a unit of its parameter
+    T counted;         ///< the parameter where it starts to count
+    Vec3f share;       ///< of the pixel's light
+    bool is_mirrored;  ///< somewhere before
+};
+
+/// The ways that one ray splits into at mirrors and glass. The weakest are left out where they cannot be seen, and none
+/// is split any more where there are too many: there a surface shows its colour alone.
+template <class T>
+class Ways {
+public:
+    static constexpr int most_open = 8;
+    static constexpr int most_walked = 48;
+    static constexpr float least_share = 1.0f / 512;
+
+    [[nodiscard]] bool may_split() const { return open_ + 2 <= most_open && walked_ + open_ + 2 <= most_walked; }
+    void add(const Way<T>& way) {
+        if (largest_part(way.share) >= least_share) ways_[open_++] = way;
+    }
+    bool take(Way<T>& way) {
+        if (open_ == 0) return false;
+        way = ways_[--open_];
+        ++walked_;
+        return true;
+    }
+
+private:
+    Way<T> ways_[most_open];
+    int open_ = 0, walked_ = 0;
+};
+
+/// In a dollhouse a ray that rises through the cut sees the sky.
+template <class T>
+Limit<T> until_the_cut(const detail::TileJob& job, const Ray<T>& ray) {
+    const bool rises = job.is_cut && ray.direction.z > 0;
+    return Limit<T>{rises ? (T(job.cut_z) - ray.origin.z) / ray.direction.z : T(3e38f)};
 }
 
+/// The way from a mirror: a level floor keeps the ray's line on the plan (mirror.h).
+template <class T>
+Way<T> reflected(const accel::SceneView& scene, const Way<T>& way, const Sight<T>& sight, const LitPlace<T>& place,
+                 float width, Vec3f share) {
+    Way<T> next = way;
+    next.cell = sight.end.cell;
+    next.share = share;
+    next.width = width;
+    next.is_mirrored = true;
+    if (is_mirror_hit(scene, sight.end)) {
+        next.ray = mirrored(way.ray, T(scene.cells[sight.end.cell].z_floor));
+        next.first = next.counted = parameter(scene, way.ray, sight.end);
+        return next;
+    }
+    const Vec<T> n = vec_cast<T>(place.normal);
+    next.ray = make_ray_unchecked(place.point, way.ray.direction - T(2) * dot(n, way.ray.direction) * n);
+    next.spread = way.spread * static_cast<float>(length(next.ray.direction) / length(way.ray.direction));
+    next.first = next.counted = 0;
+    return next;
+}
+
+/// Straight on, behind the triangle that was met.
+template <class T>
+Way<T> straight_on(const Way<T>& way, const Sight<T>& sight, float width, Vec3f share) {
+    Way<T> next = way;
+    const Vec<T> met = sight.hit.t * way.ray.direction;
+    const T step = T(0x1p-18f) * (largest_part(way.ray.origin) + largest_part(met)) + T(0x1p-16f);
+    next.cell = sight.end.cell;
+    next.first = next.counted = sight.hit.t + step / length(way.ray.direction);
+    next.width = width;
+    next.share = share;
+    return next;
+}
+
+/// What one way shows: adds the ways that go on from there.
 template <class T, class Rooms, class Events>
-Vec3f radiance(const LookTools<Rooms, Events>& tools, Vec<T> origin, Vec3f direction, std::uint32_t cell,
-               Sampler& sampler) {
+Vec3f along_way(const LookTools<Rooms, Events>& tools, const Way<T>& way, Ways<T>& ways, Sampler& sampler) {
+    const accel::SceneView& scene = tools.scene;
+    const Look& look = tools.look;
+    Vec3f tint = {1, 1, 1};
+    const Sight<T> sight =
+        way.is_mirrored ? tools.rooms.look_along(scene, way.ray, way.cell, until_the_cut(tools.job, way.ray), tint,
+                                                 tools.events, way.first)
+                        : tools.rooms.look_along(scene, way.ray, way.cell, NoLimit{}, tint, tools.events, way.first);
+    const WalkEnd<T>& end = sight.end;
+    const Vec3f share = tint * way.share;
+    const bool is_sky =
+        end.status == WalkStatus::Reached ||
+        (end.status == WalkStatus::Hit && scene.source_faces[end.target.bits].surface == accel::Surface::Sky);
+    if (is_sky) return share * sky_colour(look, vec_cast<float>(way.ray.direction));
+    if (end.status != WalkStatus::Hit && end.status != WalkStatus::Object) return share * Vec3f{1, 0, 1};
+    const float width = way.width + way.spread * static_cast<float>(parameter(scene, way.ray, sight) - way.counted);
+    const Found<T> found = what_is_found(tools, way.ray, sight, width);
+    Surfacing surfacing = found.surfacing;
+    if (tools.job.mirror_floor > 0 && !way.is_mirrored && is_mirror_hit(scene, end)) {
+        surfacing.mirror = tools.job.mirror_floor;
+        surfacing.diffuse = 1 - surfacing.mirror;
+    }
+    const bool splits = surfacing.mirror > 0 || largest_part(surfacing.through) > 0;
+    if (splits && ways.may_split()) {
+        if (largest_part(surfacing.through) > 0) ways.add(straight_on(way, sight, width, surfacing.through * share));
+        if (surfacing.mirror > 0) ways.add(reflected(scene, way, sight, found.place, width, surfacing.mirror * share));
+    } else {
+        surfacing.diffuse = 1;
+    }
+    const Vec3f own = surfacing.diffuse * share;
+    if (splits && largest_part(own) < Ways<T>::least_share) return {0, 0, 0};
+    return own * lit_colour(tools, found.place, look.headlight * found.headlight, surfacing.colour, sampler);
+}
+
+/// spread: how much wider the pixel's beam becomes along `direction`, metres.
+template <class T, class Rooms, class Events>
+Vec3f radiance(const LookTools<Rooms, Events>& tools, Vec<T> origin, Vec3f direction, std::uint32_t cell, float width,
+               float spread, Sampler& sampler) {
+    Ways<T> ways;
     const Ray<T> ray = make_ray_unchecked(origin, vec_cast<T>(direction));
-    Vec3f throughput = {1, 1, 1};
-    const Sight<T> sight = tools.rooms.look_along(tools.scene, ray, cell, NoLimit{}, throughput, tools.events);
-    Vec3f colour = look_colour(tools, ray, sight, sampler);
-    if (tools.job.mirror_floor > 0 && is_mirror_hit(tools.scene, sight.end))
-        colour = look_in_mirror(tools, ray, sight.end, colour, sampler);
-    return throughput * colour;
+    const float scale = static_cast<float>(length(ray.direction)) / length(direction);
+    Way<T> way = {ray, cell, T(0), width, scale * spread, T(0), {1, 1, 1}, false};
+    Vec3f sum = along_way(tools, way, ways, sampler);
+    while (ways.take(way)) sum = sum + along_way(tools, way, ways, sampler);
+    return sum;
 }
 
 /// Whether a point lies inside of an object: more surfaces below it are left than entered. triangle: one that shows
@@ -206,7 +316,8 @@ bool see_cut_object(const LookTools<FurnishedRooms, Events>& tools, Vec<T> point
 
 /// The dollhouse: the ray begins where it falls through the cut.
 template <class T, class Rooms, class Events>
-Vec3f cut_radiance(const LookTools<Rooms, Events>& tools, Vec3f direction, std::uint32_t& near_cell, Sampler& sampler) {
+Vec3f cut_radiance(const LookTools<Rooms, Events>& tools, Vec3f direction, float spread, std::uint32_t& near_cell,
+                   Sampler& sampler) {
     const detail::TileJob& job = tools.job;
     const accel::SceneView& scene = tools.scene;
     const Vec<T> eye = vec_cast<T>(job.camera->origin), way = vec_cast<T>(direction);
@@ -228,7 +339,7 @@ Vec3f cut_radiance(const LookTools<Rooms, Events>& tools, Vec3f direction, std::
         Vec3f colour;
         if (see_cut_object(tools, point, direction, near_cell, colour)) return colour;
     }
-    return radiance(tools, point, direction, near_cell, sampler);
+    return radiance(tools, point, direction, near_cell, static_cast<float>(t) * spread, spread, sampler);
 }
 
 template <class T, class Rooms, class Events>
@@ -239,6 +350,8 @@ void look_rows(const detail::TileJob& job, const Rooms& rooms, Events& events) {
     const Vec<T> eye = vec_cast<T>(camera.origin);
     const int side = job.samples_a_side;
     const float step = 1.0f / static_cast<float>(side);
+    // A pixel's side on the plane at which directions end, of the pixel's samples one each.
+    const float spread = step * length(camera.du);
     std::uint32_t near_cell = no_cell;
     for (int y = job.y0; y < job.y1; ++y) {
         for (int x = job.x0; x < job.x1; ++x) {
@@ -248,8 +361,8 @@ void look_rows(const detail::TileJob& job, const Rooms& rooms, Events& events) {
                 const Vec3f direction =
                     camera.direction(static_cast<float>(x) + (static_cast<float>(k % side) + 0.5f) * step,
                                      static_cast<float>(y) + (static_cast<float>(k / side) + 0.5f) * step);
-                sum = sum + (job.is_cut ? cut_radiance<T>(tools, direction, near_cell, sampler)
-                                        : radiance(tools, eye, direction, job.start_cell, sampler));
+                sum = sum + (job.is_cut ? cut_radiance<T>(tools, direction, spread, near_cell, sampler)
+                                        : radiance(tools, eye, direction, job.start_cell, 0.0f, spread, sampler));
             }
             store(job, x, y, (step * step) * sum);
         }
