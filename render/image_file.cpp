@@ -9,6 +9,7 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -61,7 +62,10 @@ Image read_png(const std::filesystem::path& path) {
 }
 
 void write_exr(const Image& image, const std::filesystem::path& path) {
-    const std::vector<Imath::half> halves(image.rgb.begin(), image.rgb.end());
+    // What is brighter than the largest number of 16 bits is written as that: files hold no infinities.
+    static constexpr float largest = 65504;
+    std::vector<Imath::half> halves(image.rgb.size());
+    std::ranges::transform(image.rgb, halves.begin(), [](float v) { return Imath::half(std::min(v, largest)); });
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer frame;

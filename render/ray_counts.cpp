@@ -36,10 +36,12 @@ std::optional<RayQuery> ray_of(const accel::SceneView& scene, Vec3f eye, Vec3f d
     return RayQuery{point, vec_cast<double>(direction), *cell};
 }
 
-std::uint64_t cell_count(const accel::SceneView& scene, const RayQuery& ray, RayCount count) {
+std::uint64_t cell_count(const accel::SceneView& scene, const RayQuery& ray, RayCount count,
+                         std::span<const std::uint32_t> of_cell) {
     RayStats stats;
     RayHit hit;
     trace_rays(scene, {&ray, 1}, {&hit, 1}, Precision::Float, &stats);
+    if (count == RayCount::OfCell) return of_cell[index(hit.cell)];
     return count == RayCount::Cells ? stats.cells : stats.side_tests;
 }
 
@@ -59,8 +61,8 @@ std::uint64_t octree_count(const accel::SceneView& scene, const OctreeCounter& o
 }  // namespace
 
 PixelNumbers count_by_pixel(const accel::SceneView& scene, const Camera& camera, RayCount count,
-                            std::optional<double> cut_z, const accel::Executor* executor,
-                            const OctreeCounter* octrees) {
+                            std::optional<double> cut_z, const accel::Executor* executor, const OctreeCounter* octrees,
+                            std::span<const std::uint32_t> of_cell) {
     const CameraFrame frame = make_frame(camera);
     if (cut_z && !(frame.origin.z > static_cast<float>(*cut_z)))
         throw InputError("R3", "", "the camera stands below the height at which the building is cut; move it up");
@@ -75,8 +77,8 @@ PixelNumbers count_by_pixel(const accel::SceneView& scene, const Camera& camera,
             const Vec3f direction = frame.direction(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
             const std::optional<RayQuery> ray = ray_of(scene, frame.origin, direction, start, cut_z);
             if (!ray) continue;
-            const bool counts_cells = count == RayCount::Cells || count == RayCount::SideTests;
-            const std::uint64_t counted = counts_cells ? cell_count(scene, *ray, count)
+            const bool counts_cells = count != RayCount::Leaves && count != RayCount::Blocks;
+            const std::uint64_t counted = counts_cells ? cell_count(scene, *ray, count, of_cell)
                                           : octrees != nullptr && scene.has_objects()
                                               ? octree_count(scene, *octrees, *ray, count)
                                               : 0;

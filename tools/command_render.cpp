@@ -4,6 +4,7 @@
 
 #include "accel/scene_file.h"
 #include "base/error.h"
+#include "plans/number_text.h"
 #include "render/executor.h"
 #include "render/oracle.h"
 #include "render/trace.h"
@@ -14,6 +15,7 @@
 #include "tools/exit_code.h"
 #include "tools/lit_pictures.h"
 #include "tools/object_accel.h"
+#include "tools/path_pictures.h"
 #include "tools/picture_files.h"
 #include "tools/picture_scene.h"
 #include "tools/progress.h"
@@ -53,7 +55,7 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
             throw InputError("F112", "",
                              "The oracle takes nothing off the building: give it --room NAME, --camera exterior or "
                              "--camera X,Y,Z:X,Y,Z.");
-        return render::trace_by_oracle(scene, view.camera, int(options.samples * options.samples), choice.mirror_floor);
+        return render::trace_by_oracle(scene, view.camera, direct_samples(options), choice.mirror_floor);
     }
     trace.start = shot.cell;
     trace.cut_z = view.cut_z;
@@ -72,7 +74,7 @@ render::TraceOptions shared_options(const RenderOptions& options, const TracerCh
     trace.packets = choice.packets;
     trace.mirror_floor = choice.mirror_floor;
     trace.shading = options.shading == "lambert" ? render::Shading::Lambert : render::Shading::Look;
-    trace.samples_per_pixel = int(options.samples * options.samples);
+    trace.samples_per_pixel = direct_samples(options);
     trace.executor = &executor;
     trace.objects = objects;
     return trace;
@@ -91,6 +93,7 @@ struct Choices {
     TracerChoice tracer;
     ObjectAccelChoice accel;
     LightChoice lights;
+    PathChoice path;
 };
 
 /// What one run made.
@@ -100,9 +103,10 @@ struct Pictures {
     std::array<double, 3> origin = {};  ///< of the scene's frame in the plan's, metres
     render::RayStats stats;
     ObjectsSummary objects;
-    LitPictures lit;                ///< its scene is gone, too
-    std::optional<MeshScene> mesh;  ///< where the pictures are of one; its scene is gone
-    std::string counted;            ///< what false colours show; empty: pictures of light
+    LitPictures lit;                             ///< its scene is gone, too
+    std::optional<PathPictures> paths_of_light;  ///< its scene is gone, too
+    std::optional<MeshScene> mesh;               ///< where the pictures are of one; its scene is gone
+    std::string counted;                         ///< what false colours show; empty: pictures of light
     nlohmann::ordered_json counts;
 
     [[nodiscard]] std::uint64_t pixels() const {
@@ -137,6 +141,9 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
     if (!choice.is_oracle && (options.show.empty() || counts_octrees(options)))
         prepared = prepare_objects(view, choices.accel, *cores);
     if (!options.show.empty()) {
+        if (options.show == "lamps" && view.lights.size() == 0)
+            throw InputError("F160", options.scene.string(),
+                             "There is no lamp in this scene, so there are none to count: build it with --lamps.");
         if (counts_octrees(options) && prepared.accel == nullptr)
             throw InputError("F139", options.scene.string(),
                              "Nothing stands in this scene, so there are no " + options.show +
@@ -153,15 +160,22 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
         made.lit = LitPictures(view, choices.lights, made.shots, shared, is_linear(options, choices.lights));
         progress.next();
     }
+    if (choices.path.is_on)
+        made.paths_of_light.emplace(view, choices.path, choices.lights, made.shots, shared, made.lit);
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
-        shared.executor = &watched;
         shared.stats = &made.stats;
+        if (!made.paths_of_light) shared.executor = &watched;
+        const auto told = [&](double done, double noise) {
+            progress.fraction((double(k) + done) / double(made.shots.size()));
+            progress.remark("noise " + plans::rounded_text(100 * noise, 1) + " %");
+        };
         render::Image image;
         shot.seconds = seconds_of([&] {
-            image = counts ? counts->picture(shot.view, watched, scale_rows(options))
-                           : render_view(options, choice, view, shot, shared, made.lit);
+            if (counts) image = counts->picture(shot.view, watched, scale_rows(options));
+            else if (made.paths_of_light) image = made.paths_of_light->picture(shot, shared, made.lit, told);
+            else image = render_view(options, choice, view, shot, shared, made.lit);
         });
         files.write(k, image);
     }
@@ -189,7 +203,9 @@ void add_camera(nlohmann::ordered_json& json, const Shot& shot, const std::array
 
 /// Lanes and packets are for one ray a pixel, lit by the lamp at the eye; all else goes ray by ray (render/trace.h).
 const char* walked_by(const RenderOptions& options, const TracerChoice& choice, const Pictures& made) {
-    const bool is_plain = options.shading == "lambert" && options.samples == 1 && !made.shots.front().view.cut_z;
+    const bool is_plain =
+        options.shading == "lambert" && direct_samples(options) == 1 && !made.shots.front().view.cut_z;
+    if (made.lit.are_lit() || made.paths_of_light) return "scalar";
     return is_plain || choice.is_oracle ? choice.name() : "scalar";
 }
 
@@ -207,6 +223,7 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     if (made.mesh) json["mesh"] = made.mesh->json();
     json["shading"] = options.shading;
     json["lights"] = made.lit.json();
+    json["paths"] = made.paths_of_light ? made.paths_of_light->json() : nullptr;
     const auto [width, height] = parse_size(options.size);
     json["width"] = width;
     json["height"] = height;
@@ -242,7 +259,7 @@ int run_render(const RenderOptions& options, const Console& console) {
         refuse_object_accel(options.object_accel, "--show " + options.show + " counts past all objects");
     const Choices choices = {
         choice, object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : ""),
-        light_choice(options)};
+        light_choice(options), path_choice(options)};
     const Pictures made = make_pictures(options, choices, console);
     if (choices.lights.search && !made.lit.are_lit() && !console.quiet())
         console.warn("There is no lamp in " + options.scene.string() +
@@ -257,7 +274,8 @@ int run_render(const RenderOptions& options, const Console& console) {
                                         : " to " + made.paths.back().filename().string() + ": " +
                                               counted(made.paths.size(), "picture") + " of " + size) +
                 " in " + time_text(made.seconds()) + (made.counted.empty() ? "" : "; " + made.counted) +
-                (made.lit.are_lit() ? "; " + made.lit.text() : "") + '.');
+                (made.lit.are_lit() ? "; " + made.lit.text() : "") +
+                (made.paths_of_light ? "; " + made.paths_of_light->text() : "") + '.');
     if (made.mesh) console.say(options.scene.filename().string() + ": " + made.mesh->report() + '.');
     if (options.stats) console.print(ray_report(made.stats, made.pixels()) + made.objects.report() + made.lit.report());
     return exit_ok;

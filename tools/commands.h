@@ -68,6 +68,7 @@ struct FurnishFlags {
     std::vector<std::filesystem::path> catalogues;
     bool cut = false;                    ///< objects are volumes that rooms are cut around; else cells list them
     std::uint32_t object_triangles = 0;  ///< meshes of more are decimated to this; 0: never
+    std::uint32_t texture_side = 1024;   ///< textures have at most that many texels a side; 0: there are none
     std::uint32_t detail = 1;            ///< of our own pieces
     std::string rooms;                   ///< names: only what can be seen from them counts; empty: everything
     std::filesystem::path views;         ///< the same for cameras
@@ -142,6 +143,14 @@ struct LightFlags {
     std::optional<double> ambient_lux;  ///< nothing: by the exposure
 };
 
+/// Light that goes from surface to surface: flags of `render` (path_pictures.h).
+struct PathFlags {
+    std::string integrator;  ///< "direct" or "path"; empty: direct
+    std::optional<double> noise;
+    std::optional<std::uint32_t> bounces;
+    std::optional<std::uint64_t> seed;
+};
+
 struct RenderOptions {
     std::filesystem::path scene;   ///< or a mesh
     std::string up;                ///< of a mesh: "y" or "z"; empty: what its format usually has
@@ -155,14 +164,15 @@ struct RenderOptions {
     std::string packets;                      ///< "64:8"; empty: the usual ones
     std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors
     std::string shading = "look";
-    std::string show;    ///< "cells", "sides", "leaves" or "blocks" a ray in false colours; empty: light
+    std::string show;    ///< "cells", "sides", "lamps", "leaves" or "blocks" a ray in false colours; empty: light
     bool stats = false;  ///< say what happened to the rays
     ObjectAccelFlags object_accel;
     LightFlags lights;
-    bool no_objects = false;        ///< rooms without what stands in them
-    std::optional<double> fov_deg;  ///< nothing: the view's own
-    std::uint32_t samples = 2;
-    std::uint32_t threads = 0;  ///< 0: all
+    PathFlags path;
+    bool no_objects = false;           ///< rooms without what stands in them
+    std::optional<double> fov_deg;     ///< nothing: the view's own
+    std::optional<std::uint32_t> spp;  ///< samples a pixel; nothing: 4, and 64 of paths
+    std::uint32_t threads = 0;         ///< 0: all
 };
 /// What --camera takes.
 [[nodiscard]] std::string camera_help();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "accel/lights/light_trees.h"
 #include "plans/number_text.h"
 
 namespace enfilade::tools {
@@ -19,6 +20,17 @@ std::size_t counted_pixels(std::span<const render::PixelNumbers> pictures) {
     for (const render::PixelNumbers& numbers : pictures)
         count += std::size_t(std::ranges::count_if(numbers.of_pixel, [](float value) { return value > 0; }));
     return count;
+}
+
+/// How many lamps each cell may see.
+std::vector<std::uint32_t> lamps_of_cells(const accel::SceneView& scene, const accel::Executor& executor) {
+    const accel::LightTrees trees = accel::build_light_trees(scene, {.trees = false}, executor);
+    const accel::LightTreesView view = trees.view();
+    std::vector<std::uint32_t> lamps(scene.cells.size());
+    for (std::size_t c = 0; c < lamps.size(); ++c)
+        for (std::uint32_t k = view.cell_offsets[c]; k < view.cell_offsets[c + 1]; ++k)
+            lamps[c] += k == view.cell_offsets[c] || view.cell_lights[k].light != view.cell_lights[k - 1].light ? 1 : 0;
+    return lamps;
 }
 
 /// The same view with at most `coarse_side` pixels a side.
@@ -37,6 +49,7 @@ View coarse(View view) {
 CountPictures::CountPictures(const accel::SceneView& scene, std::span<const View> views, const std::string& shown,
                              const accel::Executor& executor, const render::OctreeCounter* octrees)
     : scene_(scene), octrees_(octrees), shown_(shown) {
+    if (shown_ == "lamps") lamps_of_cell_ = lamps_of_cells(scene, executor);
     std::vector<render::PixelNumbers> small;
     for (const View& view : views) small.push_back(numbers(coarse(view), executor));
     if (counted_pixels(small) < fewest_counted)
@@ -49,9 +62,10 @@ CountPictures::CountPictures(const accel::SceneView& scene, std::span<const View
 render::PixelNumbers CountPictures::numbers(const View& view, const accel::Executor& executor) const {
     const render::RayCount count = shown_ == "cells"    ? render::RayCount::Cells
                                    : shown_ == "sides"  ? render::RayCount::SideTests
+                                   : shown_ == "lamps"  ? render::RayCount::OfCell
                                    : shown_ == "leaves" ? render::RayCount::Leaves
                                                         : render::RayCount::Blocks;
-    return render::count_by_pixel(scene_, view.camera, count, view.cut_z, &executor, octrees_);
+    return render::count_by_pixel(scene_, view.camera, count, view.cut_z, &executor, octrees_, lamps_of_cell_);
 }
 
 render::Image CountPictures::picture(const View& view, const accel::Executor& executor, int rows) {

@@ -52,6 +52,26 @@ void add_lights(CLI::App* command, LightFlags& flags) {
               "white)");
 }
 
+void add_paths(CLI::App* command, RenderOptions& options) {
+    constexpr std::uint32_t most_samples = 1u << 20, most_bounces = 1000;
+    PathFlags& flags = options.path;
+    add_value(
+        command, "--integrator", flags.integrator, "NAME",
+        "direct: light straight from lamps, sun and sky; path: also what goes from surface to surface, as it is in "
+        "rooms; slow, and noisy at first (direct)")
+        ->check(CLI::IsMember({"direct", "path"}));
+    add_value(command, "--spp", options.spp, "N",
+              "samples a pixel: of direct light rounded up to 1, 4, 9, 16 ... (4); of paths at most so many (64)")
+        ->check(CLI::Range(1u, most_samples));
+    add_value(
+        command, "--noise", flags.noise, "SHARE",
+        "paths: parts of the picture with less noise than this get no more samples, like 0.03; 0: all get all (0)");
+    add_value(command, "--bounces", flags.bounces, "N",
+              "paths: so often light is followed from surface to surface; 0: direct light alone (32)")
+        ->check(CLI::Range(0u, most_bounces));
+    add_value(command, "--seed", flags.seed, "N", "paths: another number, other noise (0)");
+}
+
 }  // namespace
 
 void add_info(CLI::App& app, Invocation& invocation, InfoOptions& options) {
@@ -105,7 +125,7 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
         command, "--tracer", options.tracer, "NAME",
         "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
         "of the picture; oracle: every face against every ray, slow; simd and packet are for --shading lambert "
-        "--samples 1 "
+        "--spp 1 "
         "of a building not cut open, other pictures go ray by ray (packet)")
         ->check(CLI::IsMember({"scalar", "simd", "packet", "oracle"}));
     add_value(
@@ -124,15 +144,15 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
         "lamp at the eye, as the oracle has it, or with --lights the scene's lamps and nothing else (look)")
         ->check(CLI::IsMember({"look", "lambert"}));
     add_lights(command, options.lights);
-    add_value(command, "--samples", options.samples, "N", "rays along each side of a pixel: 3 gives 9 a pixel (2)")
-        ->check(CLI::Range(1u, 32u));
+    add_paths(command, options);
     add_value(command, "--threads", options.threads, "N", "how many cores to use (all)");
     add_value(command, "--show", options.show, "WHAT",
               "instead of light, in false colours what each pixel's ray costs the scalar tracer: cells, the ones it "
-              "enters past all objects; sides, the vertical lines it is tested against; leaves, those of objects' "
+              "enters past all objects; sides, the vertical lines it is tested against; lamps, those that the cell it "
+              "ends in may see; leaves, those of objects' "
               "octrees that it enters up to what it meets; or blocks of 16 triangles that it is tested against there. "
               "The scale takes the lowest rows of the file, and the picture the rows above it")
-        ->check(CLI::IsMember({"cells", "sides", "leaves", "blocks"}));
+        ->check(CLI::IsMember({"cells", "sides", "lamps", "leaves", "blocks"}));
     add_object_accel(command, options.object_accel);
     command->add_flag("--no-objects", options.no_objects, "show the rooms without what stands in them");
     command->add_flag(

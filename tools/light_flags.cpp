@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "tools/exposure.h"
 #include "tools/mesh_scene.h"
 
 namespace enfilade::tools {
@@ -50,9 +51,11 @@ LightChoice light_choice(const RenderOptions& options) {
     const LightFlags& flags = options.lights;
     LightChoice choice;
     if (flags.search.empty() || flags.search == "none") {
-        for (const auto& [is_given, flag] :
-             {std::pair(!flags.exposure.empty(), "--exposure"), std::pair(flags.ambient_lux.has_value(), "--ambient")})
-            if (is_given) refuse(std::string(flag) + " is for pictures lit by lamps: give --lights tree, too.");
+        if (flags.ambient_lux) refuse("--ambient is for pictures lit by lamps: give --lights tree, too.");
+        if (!flags.exposure.empty() && options.path.integrator != "path")
+            refuse(
+                "--exposure is for pictures lit by lamps or by paths: give --lights tree or --integrator path, too.");
+        choice.exposure_ev = parse_exposure(flags.exposure);
         return choice;
     }
     check_lit(options);

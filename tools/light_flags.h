@@ -9,8 +9,6 @@
 
 namespace enfilade::tools {
 
-inline constexpr double darkest_ev = -20, brightest_ev = 30;  ///< beyond starlight and the sun's disc
-
 /// How the scene's lamps light a picture.
 struct LightChoice {
     std::optional<render::LampSearch> search;  ///< nothing: they do not

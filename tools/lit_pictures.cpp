@@ -1,7 +1,5 @@
 #include "tools/lit_pictures.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
@@ -9,6 +7,7 @@
 #include "plans/number_text.h"
 #include "tools/bench.h"
 #include "tools/console.h"
+#include "tools/exposure.h"
 
 namespace enfilade::tools {
 
@@ -16,29 +15,11 @@ namespace {
 
 constexpr double usual_ev = 6;         ///< where nothing in a picture is lit: a room in the evening
 constexpr int metered_side = 128;      ///< pixels
-constexpr double metered_share = 0.9;  ///< of the lit pixels, that are to be no brighter than ...
-constexpr double metered_value = 0.8;  ///< ... this part of white
 constexpr double ambient_share = 0.1;  ///< of white, that a white face in the open has of no lamp
 
 render::Vec3f scaled(double s, render::Vec3f v) { return static_cast<float>(s) * v; }
 
-double luminance(const float* rgb) {
-    return 0.2126 * double{rgb[0]} + 0.7152 * double{rgb[1]} + 0.0722 * double{rgb[2]};
-}
-
-render::Camera small(render::Camera camera) {
-    const int longer = std::max(camera.width, camera.height);
-    if (longer > metered_side) {
-        camera.width = std::max(1, camera.width * metered_side / longer);
-        camera.height = std::max(1, camera.height * metered_side / longer);
-    }
-    return camera;
-}
-
 }  // namespace
-
-double white_luminance(double ev) { return 1.2 * std::exp2(ev); }
-double exposure_value(double white_luminance) { return std::log2(white_luminance / 1.2); }
 
 LitPictures::LitPictures(const accel::SceneView& scene, const LightChoice& choice, std::span<const Shot> shots,
                          render::TraceOptions how, bool is_linear)
@@ -56,7 +37,7 @@ LitPictures::LitPictures(const accel::SceneView& scene, const LightChoice& choic
 }
 
 void LitPictures::meter(const accel::SceneView& scene, std::span<const Shot> shots, const render::TraceOptions& how) {
-    std::vector<double> lit;
+    std::vector<render::Image> small;
     for (const Shot& shot : shots) {
         render::TraceOptions trace = how;
         trace.tracer = render::Tracer::Scalar;
@@ -68,17 +49,9 @@ void LitPictures::meter(const accel::SceneView& scene, std::span<const Shot> sho
         trace.cut_z = shot.view.cut_z;
         trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper = trace.look.cut = {0, 0, 0};
         trace.lamps = lamps(1);
-        const render::Image image = render::trace(scene, small(shot.view.camera), trace);
-        for (std::size_t p = 0; p < image.rgb.size(); p += 3) {
-            const double value = luminance(&image.rgb[p]);
-            if (value > 0 && std::isfinite(value)) lit.push_back(value);
-        }
+        small.push_back(render::trace(scene, small_camera(shot.view.camera, metered_side), trace));
     }
-    if (lit.empty()) return;
-    const auto rank = std::min(lit.size() - 1, std::size_t(metered_share * double(lit.size())));
-    std::ranges::nth_element(lit, lit.begin() + std::ptrdiff_t(rank));
-    // Tenths: so that what is said can be asked for, and pictures a hair apart are exposed alike.
-    ev_ = std::clamp(std::round(10 * exposure_value(lit[rank] / metered_value)) / 10, darkest_ev, brightest_ev);
+    ev_ = metered_ev(small, usual_ev);
 }
 
 render::LampOptions LitPictures::lamps(double exposure) const {

@@ -13,10 +13,6 @@
 
 namespace enfilade::tools {
 
-/// Luminance (candela / m2) that becomes white in a picture of this exposure value (of ISO 100: 1.2 * 2^EV), and back.
-[[nodiscard]] double white_luminance(double ev);
-[[nodiscard]] double exposure_value(double white_luminance);
-
 class LitPictures {
 public:
     /// No lamp shines.
@@ -28,6 +24,11 @@ public:
                 render::TraceOptions how, bool is_linear);
 
     [[nodiscard]] bool are_lit() const { return lamp_count_ != 0; }
+    /// Whether pictures hold candela / m2; else parts of white.
+    [[nodiscard]] bool is_linear() const { return is_linear_; }
+    [[nodiscard]] double ev() const { return ev_; }
+    /// Another exposure than the one that was found.
+    void expose(double ev) { ev_ = ev; }
     /// Puts the lamps into the picture's options; with Shading::Look evening falls: the sun is gone, the sky dim, and
     /// what there is of light besides the lamps is --ambient.
     void light(render::TraceOptions& trace) const;

@@ -29,6 +29,12 @@ Progress::~Progress() {
 void Progress::next() {
     fraction_.store(0, std::memory_order_relaxed);
     step_.fetch_add(1, std::memory_order_relaxed);
+    remark({});
+}
+
+void Progress::remark(std::string words) {
+    const std::lock_guard lock(mutex_);
+    remark_ = std::move(words);
 }
 
 void Progress::draw(double seconds) const {
@@ -38,7 +44,8 @@ void Progress::draw(double seconds) const {
     std::string bar(std::size_t(filled), '=');
     if (filled < width) bar += '>';
     bar.resize(width, ' ');
-    std::fprintf(stderr, "\r\033[K[%s] %s, %.0f s", bar.c_str(), steps_[step].c_str(), seconds);
+    std::fprintf(stderr, "\r\033[K[%s] %s%s, %.0f s", bar.c_str(), steps_[step].c_str(),
+                 remark_.empty() ? "" : (", " + remark_).c_str(), seconds);
     std::fflush(stderr);
 }
 

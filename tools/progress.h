@@ -26,6 +26,8 @@ public:
     void next();
     /// How much of the current step is done, 0..1. May be called from any thread.
     void fraction(double done) { fraction_.store(done, std::memory_order_relaxed); }
+    /// A few words behind the current step, until the next one. May be called from any thread.
+    void remark(std::string words);
 
 private:
     void draw(double seconds) const;
@@ -34,6 +36,7 @@ private:
     std::vector<std::string> steps_;
     std::atomic<std::size_t> step_ = 0;
     std::atomic<double> fraction_ = 0;
+    std::string remark_;  ///< under the mutex
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
     std::condition_variable wake_;

@@ -65,7 +65,7 @@ protected:
 };
 
 TEST_F(MeshPicture, IsMadeOfEveryFormat) {
-    const Words lamp = {"--shading", "lambert", "--up", "z", "--samples", "1"};
+    const Words lamp = {"--shading", "lambert", "--up", "z", "--spp", "1"};
     file("box.obj", box_obj());
     file("box.off", box_off());
     file("box.ply", box_ply());
@@ -305,13 +305,13 @@ TEST_F(MeshPicture, OfOtherPeoplesMeshesIsThatOfBruteForceTrees) {
     for (const auto& entry : std::filesystem::directory_iterator(meshes)) {
         const std::string mesh = std::filesystem::canonical(entry.path()).string();
         if (!tools::is_mesh_file(mesh)) continue;
-        const Outcome octree = render(mesh, "octree.exr", {"--object-accel", "octree", "--samples", "1"});
+        const Outcome octree = render(mesh, "octree.exr", {"--object-accel", "octree", "--spp", "1"});
         if (octree.exit_code == 2) {
             EXPECT_EQ(line_count(octree.err), 1u) << octree.err;
             continue;
         }
         ASSERT_EQ(octree.exit_code, 0) << mesh << octree.err;
-        ASSERT_EQ(render(mesh, "plain.exr", {"--object-accel", "plain", "--samples", "1"}).exit_code, 0);
+        ASSERT_EQ(render(mesh, "plain.exr", {"--object-accel", "plain", "--spp", "1"}).exit_code, 0);
         EXPECT_EQ(render::read_image(folder_ / "plain.exr").rgb, render::read_image(folder_ / "octree.exr").rgb)
             << mesh;
         ++pictures;

@@ -10,7 +10,7 @@ import unittest
 
 ENFILADE = sys.argv[1]
 # An oracle's picture: as slow as is asked for, on any machine.
-SLOW = ["render", "office.enf", "-o", "slow.png", "--camera", "exterior", "--tracer", "oracle", "--samples", "1", "--size"]
+SLOW = ["render", "office.enf", "-o", "slow.png", "--camera", "exterior", "--tracer", "oracle", "--spp", "1", "--size"]
 
 
 def stderr_on_terminal(folder, words):

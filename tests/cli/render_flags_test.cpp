@@ -37,7 +37,7 @@ TEST_F(RenderFlags, EveryTracerMakesThePicture) {
     for (const char* tracer : {"scalar", "simd", "packet", "oracle"}) {
         const std::string picture = std::string(tracer) + ".png";
         const Outcome outcome =
-            picture_of(picture, {"--tracer", tracer, "--shading", "lambert", "--samples", "1", "--json"});
+            picture_of(picture, {"--tracer", tracer, "--shading", "lambert", "--spp", "1", "--json"});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(json::parse(outcome.out)["tracer"], tracer);
         EXPECT_EQ(json::parse(outcome.out)["walked_by"], tracer);
@@ -52,7 +52,7 @@ TEST_F(RenderFlags, EveryTracerMakesThePicture) {
 
 TEST_F(RenderFlags, PacketsFillMostOfAPlainPicture) {
     if (enfilade::render::detail::lane_kernels() == nullptr) GTEST_SKIP() << "this build has no Highway";
-    const std::vector<std::string> plain = {"--shading", "lambert", "--samples", "1", "--json"};
+    const std::vector<std::string> plain = {"--shading", "lambert", "--spp", "1", "--json"};
     const json counts = json::parse(picture_of("plain.png", plain).out)["statistics"];
     EXPECT_GT(counts["packets"], 0);
     EXPECT_GT(counts["pixels_filled_whole"], 0);
@@ -116,7 +116,7 @@ TEST_F(RenderFlags, AMirrorTakesAShareOrTheUsualOne) {
 }
 
 TEST_F(RenderFlags, SaysWhatHappenedToTheRays) {
-    const Outcome outcome = picture_of("stats.png", {"--tracer", "scalar", "--stats", "--samples", "1"});
+    const Outcome outcome = picture_of("stats.png", {"--tracer", "scalar", "--stats", "--spp", "1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const char* part : {"rays walked", "cells entered", "sides tested", "recoveries", "leaks"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;

@@ -30,7 +30,7 @@ protected:
     }
     static Outcome render(const std::string& output, std::vector<std::string> more = {}) {
         std::vector<std::string> words = {"render", "office.enf", "--views", "tour.json", "-o",
-                                          output,   "--size",     "24x16",   "--samples", "1"};
+                                          output,   "--size",     "24x16",   "--spp",     "1"};
         words.insert(words.end(), more.begin(), more.end());
         return run(words);
     }
@@ -80,7 +80,7 @@ TEST_F(RenderViews, APictureIsThatOfTheSameCamera) {
         return std::to_string(p[0].get<double>()) + ',' + std::to_string(p[1].get<double>()) + ',' +
                std::to_string(p[2].get<double>());
     };
-    ASSERT_EQ(run({"render", "office.enf", "-o", "alone.png", "--size", "24x16", "--samples", "1", "--fov-deg", "75",
+    ASSERT_EQ(run({"render", "office.enf", "-o", "alone.png", "--size", "24x16", "--spp", "1", "--fov-deg", "75",
                    "--camera", point(saved["eye"]) + ':' + point(saved["target"])})
                   .exit_code,
               0);
@@ -120,7 +120,7 @@ TEST_F(RenderViews, AStaleCellIsAWarningAndThePictureTheSame) {
         text.replace(at + 8, text.find('}', at) - at - 8, "4000000000");
     tools::write_text(folder() / "stale.json", text);
     const std::vector<std::string> words = {"render",       "office.enf", "--views", "stale.json", "-o",
-                                            "stale-%d.png", "--size",     "24x16",   "--samples",  "1"};
+                                            "stale-%d.png", "--size",     "24x16",   "--spp",      "1"};
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
