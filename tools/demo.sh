@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # tools/demo.sh [--furnished] [PLAN]: installs what is missing, builds the program, models a house from its plan, checks
 # it, renders it, and says where the pictures and the report are (out/demo/NAME). --furnished: with furniture in all its
-# rooms, of our own pieces, and of Debian's libraries for Sweet Home 3D where those are installed.
+# rooms, of our own pieces, and of Debian's libraries for Sweet Home 3D where those are installed. The last pictures are
+# lit by its lamps.
 set -euo pipefail
 furnished=
 if [ "${1:-}" = --furnished ]; then
@@ -21,9 +22,9 @@ out=out/demo/$name${furnished:+-furnished}
 rm -rf "$out"
 mkdir -p "$out"
 
-flags=()
+flags=(--lamps)
 if [ -n "$furnished" ]; then
-    flags=(--furnish --detail 3)
+    flags=(--lamps --furnish --detail 3)
     libraries=(/usr/share/sweethome3d/furniture/*.sh3f)
     found=
     for library in "${libraries[@]}"; do
@@ -41,19 +42,19 @@ verdict=0
 "$enfilade" check "$out/$name.enf" --report "$out/report.json" --quiet || [ $? -eq 1 ]
 "$enfilade" info "$out/$name.enf" >"$out/info.txt"
 
-"$enfilade" render "$out/$name.enf" -o "$out/exterior.png" --camera exterior --size 1280x960 --samples 2
+"$enfilade" render "$out/$name.enf" -o "$out/exterior.png" --camera exterior --size 1280x960 --spp 4
 storeys=$("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
 import json, sys
 print(json.load(sys.stdin)["counts"]["storeys"])')
 for ((storey = 0; storey < storeys; storey++)); do
-    "$enfilade" render "$out/$name.enf" -o "$out/storey-$storey.png" --camera "dollhouse:$storey" --size 1280x960 --samples 2
+    "$enfilade" render "$out/$name.enf" -o "$out/storey-$storey.png" --camera "dollhouse:$storey" --size 1280x960 --spp 4
 done
 # A look into the largest room; of a furnished building into eight.
 most=1
-samples=2
+samples=4
 if [ -n "$furnished" ]; then
     most=8
-    samples=3
+    samples=9
     "$enfilade" info "$out/$name.enf" --svg "$out/furniture.svg" >"$out/info.txt"
 fi
 mapfile -t rooms < <("$enfilade" info "$out/$name.enf" --json | /usr/bin/python3 -c '
@@ -63,8 +64,12 @@ full = {space["id"] for space in (info["furniture"] or {"spaces": []})["spaces"]
 rooms = sorted(info["rooms"], key=lambda r: (r["id"] in full, r["name"] != "", r["area_m2"]), reverse=True)
 print("\n".join(r["id"] for r in rooms[:int(sys.argv[1])]))' "$most")
 for ((k = 0; k < ${#rooms[@]}; k++)); do
-    "$enfilade" render "$out/$name.enf" -o "$out/room-$k.png" --room "${rooms[$k]}" --size 1280x960 --samples "$samples"
+    "$enfilade" render "$out/$name.enf" -o "$out/room-$k.png" --room "${rooms[$k]}" --size 1280x960 --spp "$samples"
 done
+# The same in the evening, by its lamps: cut open, and the largest room as light really goes in it.
+"$enfilade" render "$out/$name.enf" -o "$out/evening.png" --camera dollhouse:0 --size 1280x960 --lights tree
+"$enfilade" render "$out/$name.enf" -o "$out/evening-room.png" --room "${rooms[0]}" --size 800x600 --lights tree \
+    --integrator path --spp 64 --noise 0.05
 "$enfilade" export "$out/$name.enf" -o "$out/$name.glb"
 
 echo

