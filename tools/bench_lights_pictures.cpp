@@ -60,6 +60,46 @@ void add_lit_over_unlit(Bench& bench, const LitScene& scene, const LitViews& vie
                          .goal = ratio_at_least(0.8)}));
 }
 
+/// All lamps, those of lists, and trees, by one tracer; and whether the pictures are `naive`'s.
+void bench_searches_of(Bench& bench, const LitScene& scene, const LitViews& views, Tracer tracer,
+                       render::Framebuffer& naive) {
+    const int side = views.side();
+    render::Framebuffer image(side, side);
+    std::vector<render::Lamps> asked;
+    for (const LampSearch search : {LampSearch::Naive, LampSearch::Pvs, LampSearch::Tree})
+        asked.push_back(scene.asked(search));
+    std::vector<Competitor> competitors;
+    for (const render::Lamps& lamps : asked)
+        competitors.push_back({name_of(tracer, lamps.search), [&] { views.draw(tracer, &lamps, image); }});
+    const double rays = views.primary_rays() + views.shadow_rays();
+    const RayContest contest(bench.quick() ? 1 : 3, rays, competitors, Clock::Thread);
+    for (std::size_t k = 0; k < 3; ++k) {
+        // Naive walks trace more rays for the same picture: to every lamp.
+        const double own = k == 0 ? views.primary_rays() + views.lit_pixels() * double(scene.lamps.size()) : rays;
+        const double pictures = 1e6 * double(views.count()) / rays;
+        BenchRow row = on(scene, {.row = contest.name(k) + ", lit pictures",
+                                  .value = contest.speed(k) * pictures,
+                                  .unit = "pictures/s of " + std::to_string(side) + "^2"});
+        if (k > 0) {
+            const BenchRow against = contest.row("", k, k - 1);
+            row.reference = against.reference;
+            row.reference_value = contest.speed(k - 1) * pictures;
+            row.ratio = against.ratio;
+            row.spread = against.spread;
+        }
+        if (k == 2) row.goal = ratio_at_least(1.7);
+        bench.add(std::move(row));
+        bench.add(on(scene, {.row = contest.name(k) + ", rays of these pictures",
+                             .value = contest.speed(k) * own / rays,
+                             .unit = "Mrays/s"}));
+    }
+    if (tracer == Tracer::Scalar) views.draw(tracer, &asked[0], naive, 1);
+    for (std::size_t k = tracer == Tracer::Scalar ? 1 : 0; k < 3; ++k) {
+        views.draw(tracer, &asked[k], image, 1);
+        add_unlike(bench, scene, contest.name(k), "scalar naive's", naive, image);
+    }
+}
+
 }  // namespace
 
 void bench_lit_searches(Bench& bench, const LitScene& scene) {
@@ -69,40 +109,12 @@ void bench_lit_searches(Bench& bench, const LitScene& scene) {
     const double walks_a_view = double(side) * side * double(scene.lamps.size());
     const auto count = static_cast<std::size_t>(std::clamp(most_walks / walks_a_view, 1.0, 8.0));
     const LitViews views(scene, views_of(scene.view, count, side), side, nullptr);
-    render::Framebuffer image(side, side);
-    std::vector<Competitor> competitors;
-    std::vector<render::Lamps> asked;
-    for (const LampSearch search : {LampSearch::Naive, LampSearch::Pvs, LampSearch::Tree})
-        asked.push_back(scene.asked(search));
-    for (const render::Lamps& lamps : asked)
-        competitors.push_back(
-            {name_of(Tracer::Scalar, lamps.search), [&] { views.draw(Tracer::Scalar, &lamps, image); }});
-    const double rays = views.primary_rays() + views.shadow_rays();
-    const RayContest contest(bench.quick() ? 1 : 3, rays, competitors, Clock::Thread);
-    for (std::size_t k = 0; k < 3; ++k) {
-        // Naive walks trace more rays for the same picture: to every lamp.
-        const double own = k == 0 ? views.primary_rays() + views.lit_pixels() * double(scene.lamps.size()) : rays;
-        BenchRow row = on(scene, contest.row(contest.name(k) + ", lit pictures", k, k == 2 ? 1 : 0));
-        row.value = contest.speed(k) / rays * 1e6 * double(views.count());
-        row.reference_value = contest.speed(k == 2 ? 1 : 0) / rays * 1e6 * double(views.count());
-        row.unit = "pictures/s of " + std::to_string(side) + "^2";
-        if (k == 0) row.reference.clear(), row.reference_value.reset(), row.ratio.reset(), row.spread.reset();
-        if (k == 2) row.goal = ratio_at_least(1.7);
-        bench.add(std::move(row));
-        bench.add(on(scene, {.row = contest.name(k) + ", primary and shadow rays",
-                             .value = contest.speed(k) * own / rays,
-                             .unit = "Mrays/s"}));
-    }
     bench.add(on(scene, {.row = "light rays that lists remove",
                          .value = 100 * (1 - views.shadow_rays() /
                                                  std::max(1.0, views.lit_pixels() * double(scene.lamps.size()))),
                          .unit = "%"}));
-    render::Framebuffer naive(side, side), other(side, side);
-    views.draw(Tracer::Scalar, &asked[0], naive, 1);
-    for (std::size_t k = 1; k < 3; ++k) {
-        views.draw(Tracer::Scalar, &asked[k], other, 1);
-        add_unlike(bench, scene, contest.name(k), "naive's", naive, other);
-    }
+    render::Framebuffer naive(side, side);
+    for (const Tracer tracer : {Tracer::Scalar, Tracer::Packet}) bench_searches_of(bench, scene, views, tracer, naive);
 }
 
 void bench_lit_pictures(Bench& bench, const LitScene& scene, const render::EmbreeReference& embree, bool has_goals) {

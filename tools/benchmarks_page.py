@@ -55,7 +55,7 @@ NOTES = {
               "In brackets: how many times faster than Embree at its best of 24 ways to ask (1, 8 or 16 rays, coherent or not, from lamps "
               "or from places, triangles or quads), which is given the same lists, the cell of each pixel for nothing, and the same "
               "light in lanes; *shadow rays and shading* is a lit picture less the same picture without lamps, against Embree from "
-              "first hits that it is given for nothing. *scalar pvs* and *scalar tree* of lit pictures are against naive and pvs; *primary and shadow "
+              "first hits that it is given for nothing. *Lit pictures* by lists and by trees in pictures/s are against the row above; *primary and shadow "
               "rays* against the same tracer without lamps. **!**: below the goal.",
     "dial": "![Error over time of each option](dial.svg)\n\nAn error is measured on the same rays against the finest value of "
             "the option, or against the oracle where the row says so.",
