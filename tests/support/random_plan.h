@@ -81,9 +81,9 @@ inline plans::Plan any_plan() {
             storey.rooms.push_back(room);
         }
         const int lamps = *rc::gen::inRange(0, 3);
-        for (int k = 0; k < lamps; ++k) {
+        for (int l = 0; l < lamps; ++l) {
             plans::Light lamp;
-            lamp.id = storey.id + "l" + std::to_string(k);
+            lamp.id = storey.id + "l" + std::to_string(l);
             lamp.position = any_box().front();  // in a room, a wall or outside
             lamp.elevation = *rc::gen::element(2.3, 0.0, -1.0, 2.5);
             lamp.power_lumen = *rc::gen::element(800.0, 0.0, 1256.6370614359173);
