@@ -112,6 +112,23 @@ void ObjectOracle::meet_object(std::uint32_t id, Vec3d origin, Vec3d unit, doubl
     }
 }
 
+std::optional<bool> ObjectOracle::stands_between(Vec3d p, Vec3d q, double touch, accel::ObjectId skipped) const {
+    const double distance = length(q - p);
+    if (!(distance > 2 * touch)) return false;
+    std::vector<PossibleEnd> ends;
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i)
+        if (static_cast<accel::ObjectId>(i) != skipped) meet_object(i, p, normalized(q - p), distance, ends);
+    bool is_unclear = false;
+    for (const PossibleEnd& end : ends) {
+        const double slack = end.tolerance + band_;
+        if (end.distance + slack < touch || end.distance - slack > distance - touch) continue;
+        const bool is_inside = end.distance - slack > touch && end.distance + slack < distance - touch;
+        if (end.is_sure && is_inside) return true;
+        is_unclear = true;
+    }
+    return is_unclear ? std::optional<bool>() : false;
+}
+
 std::vector<PossibleEnd> ObjectOracle::ends_of(const RayQuery& ray) const {
     const Vec3d unit = normalized(ray.direction);
     const auto face = faces_.trace(ray.origin, ray.direction);

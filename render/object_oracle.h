@@ -36,6 +36,10 @@ public:
     /// Whether the answer is one of them. A ray of a length must not be answered as if it were endless.
     [[nodiscard]] bool allows(const RayQuery& ray, const RayHit& answer) const;
 
+    /// Whether a triangle stands between p and q, farther than `touch` metres from both: yes, no, or nothing where
+    /// rounding decides. Walls do not count, nor does the object `skipped`.
+    [[nodiscard]] std::optional<bool> stands_between(Vec3d p, Vec3d q, double touch, accel::ObjectId skipped) const;
+
     /// Unit normal of a triangle; zero where it has no area.
     [[nodiscard]] Vec3d normal(accel::ObjectId object, std::uint32_t triangle) const;
 

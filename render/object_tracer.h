@@ -62,8 +62,8 @@ struct ObjectTracer {
                             ObjectRays& rays) = nullptr;
     /// Whether any triangle lies in [near, far].
     bool (*blocked)(const void* state, accel::MeshId mesh, const ObjectRay& ray) = nullptr;
-    /// The same for sixteen neighbours: bit i is set where ray i is valid and blocked. `far` of such rays is spoilt;
-    /// nothing else is written, and of the columns behind `flags` nothing is read. valid: as of nearest16
+    /// The same for sixteen neighbours: bit i is set where ray i is valid and blocked. `far` and what lies behind
+    /// `flags` need not be what they were afterwards; nothing is read there but `far`. valid: as of nearest16
     std::uint32_t (*blocked16)(const void* state, accel::MeshId mesh, const std::int32_t* valid,
                                ObjectRays& rays) = nullptr;
 };

@@ -39,6 +39,8 @@ struct alignas(64) PacketNode {
     Bits rays_of[8];  ///< which rays pass each
 };
 
+/// any: it is enough to meet something; rays that do are done.
+template <bool any>
 struct PacketWalk {
     static constexpr std::uint32_t few_rays = 1;  ///< for so many each triangle costs less than the beam does
 
@@ -169,6 +171,16 @@ struct PacketWalk {
         return true;
     }
 
+    /// Those that met something have no part left.
+    HWY_INLINE void retire(Bits some) {
+        const D d;
+        for (int k = 0; k < PacketRays::count; k += lane_count) {
+            const auto met = hn::RebindMask(d, hn::Ne(hn::Load(DU(), rays.triangle + k), hn::Set(DU(), no_triangle)));
+            const auto done = hn::And(met, mask_of(some, k / lane_count));
+            hn::BlendedStore(hn::Set(d, -std::numeric_limits<float>::infinity()), done, d, rays.far + k);
+        }
+    }
+
     void run(Bits some, const Floats<16>& enter, const Floats<16>& leave) {
         PacketNode nodes[accel::largest_octree_depth + 1];
         PacketNode* node = nodes;
@@ -177,6 +189,7 @@ struct PacketWalk {
             if (go_down(at, *node)) {
                 const accel::LinkedLeaf& leaf = tree.leaves[at.entry.number()];
                 meet({leaf.first, leaf.count}, at.rays);
+                if (any) retire(at.rays);
                 node->left = 0;
             }
             do {
@@ -191,6 +204,7 @@ struct PacketWalk {
 };
 
 /// Those of one octant, longest along one axis, together. negative: [axis] which go down it
+template <bool any>
 HWY_INLINE void walk_by_groups(const accel::OctreeView& tree, const PacketPlanes& planes, const Bits* negative,
                                Bits some, const Floats<16>& enter, const Floats<16>& leave, PacketRays& asked) {
     using F = Floats<16>;
@@ -218,18 +232,19 @@ HWY_INLINE void walk_by_groups(const accel::OctreeView& tree, const PacketPlanes
         store(load<16>(asked.direction[asked.kx]) * shear_z, asked.shear_x);
         store(load<16>(asked.direction[asked.ky]) * shear_z, asked.shear_y);
         const PacketBeam beam(tree, asked, group);
-        PacketWalk{tree, planes, asked, beam, flip}.run(group, enter, leave);
+        PacketWalk<any>{tree, planes, asked, beam, flip}.run(group, enter, leave);
     }
 }
 
-void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
+/// Returns the rays that were walked; those that sixteen cannot take together are answered in `rays`.
+template <bool any>
+HWY_INLINE Bits walk_sixteen(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays,
+                             PacketRays& asked) {
     using F = Floats<16>;
-    if (tree.leaves == nullptr) return;
     if (!tree.root.is_leaf()) {
         hwy::Prefetch(tree.children + std::size_t{8} * tree.root.number());
         hwy::Prefetch(tree.occupied + tree.root.number());
     }
-    PacketRays asked;
     Bits some = take_rays(tree, valid, rays, asked);
     F enter = load<16>(asked.near), leave = load<16>(asked.far);
     PacketPlanes planes;
@@ -249,13 +264,33 @@ void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, 
         leave = least(leave, largest(a, b));
     }
     some &= is_at_most(enter, leave);
-    if (some == 0) return;
-    walk_by_groups(tree, planes, negative, some, enter, leave, asked);
-    write_hits(tree, some, asked, rays);
+    if (some != 0) walk_by_groups<any>(tree, planes, negative, some, enter, leave, asked);
+    return some;
+}
+
+void octree_nearest16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
+    if (tree.leaves == nullptr) return;
+    PacketRays asked;
+    const Bits some = walk_sixteen<false>(tree, valid, rays, asked);
+    if (some != 0) write_hits(tree, some, asked, rays);
+}
+
+/// Which of sixteen triangles are some.
+HWY_INLINE Bits with_triangle(const std::uint32_t* triangles) {
+    Bits bits = 0;
+    for (int k = 0; k < 16; k += lane_count) {
+        const auto is_one = hn::Ne(hn::LoadU(DU(), triangles + k), hn::Set(DU(), no_triangle));
+        bits |= bits_of(hn::RebindMask(D(), is_one)) << k;
+    }
+    return bits;
 }
 
 std::uint32_t octree_blocked16(const accel::OctreeView& tree, const std::int32_t* valid, ObjectRays& rays) {
-    return blocked_one_by_one(valid, rays, [&](const ObjectRay& ray) { return octree_blocked(tree, ray); });
+    if (tree.leaves == nullptr) return 0;
+    for (int k = 0; k < 16; k += lane_count) hn::StoreU(hn::Set(DU(), no_triangle), DU(), rays.triangle + k);
+    PacketRays asked;
+    const Bits some = walk_sixteen<true>(tree, valid, rays, asked);
+    return static_cast<std::uint32_t>((with_triangle(asked.triangle) & some) | with_triangle(rays.triangle));
 }
 
 }  // namespace HWY_NAMESPACE

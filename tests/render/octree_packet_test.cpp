@@ -81,6 +81,14 @@ int agree(const accel::OctreeView& tree, const Sixteen& rays, const Valid& valid
         (apart ? kernels.nearest16_apart : kernels.nearest16)(tree, aligned, together);
         EXPECT_TRUE(is_same(alone, together)) << kernels.name << (apart ? " apart" : "");
     }
+    std::uint32_t blocked = 0;
+    for (std::size_t i = 0; i < 16; ++i) {
+        ObjectRay any = rays[i];
+        any.triangle = no_triangle;  // whatever was found before is of no interest
+        if (valid[i] != 0 && detail::octree_kernels().blocked(tree, any)) blocked |= 1u << i;
+    }
+    ObjectRays together = columns_of(rays);
+    EXPECT_EQ(detail::octree_lane_kernels()->blocked16(tree, aligned, together), blocked);
     return hits;
 }
 
