@@ -11,8 +11,8 @@ inline constexpr std::string_view lamp_rules_list[] = {"format_version", "utilis
                                                        "rooms",          "pieces",      "outdoor"};
 inline constexpr std::string_view room_light_list[] = {"kind", "lux", "area", "drop", "kelvin", "radius"};
 inline constexpr std::string_view piece_light_list[] = {"kind", "lumen", "kelvin", "radius", "height", "lights_room"};
-inline constexpr std::string_view outdoor_list[] = {"spacing", "elevation", "lumen",
-                                                    "kelvin",  "radius",    "entrance_lumen"};
+inline constexpr std::string_view outdoor_list[] = {"spacing", "count",  "elevation",     "lumen",
+                                                    "kelvin",  "radius", "entrance_lumen"};
 
 inline constexpr plans::JsonKeys lamp_rules{"lamp rule file", lamp_rules_list};
 inline constexpr plans::JsonKeys room_light{"room", room_light_list};

@@ -33,9 +33,10 @@ struct PieceLight {
 
 /// Lamps in the open air.
 struct OutdoorLight {
-    double spacing = 0;    ///< metres between lamps of a square grid over the site; 0: none
-    double elevation = 4;  ///< metres over the ground
-    double lumen = 4000;   ///< of each of them
+    double spacing = 0;       ///< metres between lamps of a square grid over the site; 0: none
+    std::uint32_t count = 0;  ///< exactly so many, on as wide a grid as has them; 0: as `spacing` says
+    double elevation = 4;     ///< metres over the ground
+    double lumen = 4000;      ///< of each of them
     double kelvin = 3000;
     double radius = 0.1;
     double entrance_lumen = 800;  ///< of a lamp over each door that leads into the open; 0: none

@@ -75,6 +75,56 @@ std::map<std::uint32_t, Threshold> thresholds(const Building& building) {
     return found;
 }
 
+/// The ground around the building.
+class Site {
+public:
+    Site(const Building& building, const VolumeFinder& volumes) : air_(building, volumes) {
+        const plans::GridFrame& frame = building.frame;
+        low_ = {frame.world_x(building.site_min[0]), frame.world_y(building.site_min[1])};
+        high_ = {frame.world_x(building.site_max[0]), frame.world_y(building.site_max[1])};
+        std::int32_t ground = INT32_MAX;
+        for (const Volume& volume : building.volumes)
+            if (volume.label == Label::Exterior) ground = std::min(ground, volume.z_low);
+        has_ground_ = ground != INT32_MAX;
+        if (has_ground_) ground_ = frame.world_z(ground);
+    }
+
+    /// The spacing at which so many would fill the site without a building.
+    [[nodiscard]] double widest(std::size_t count) const {
+        return std::sqrt((high_.x - low_.x) * (high_.y - low_.y) / double(count));
+    }
+
+    /// On a square grid in the middle of the site.
+    [[nodiscard]] std::vector<Lamp> lamps(const OutdoorLight& light, double spacing) const {
+        std::vector<Lamp> lamps;
+        if (!has_ground_) return lamps;
+        const double columns = std::floor((high_.x - low_.x) / spacing);
+        const double rows = std::floor((high_.y - low_.y) / spacing);
+        if (columns * rows > most_places)
+            throw InputError("U106", "",
+                             "A lamp every " + std::to_string(spacing) +
+                                 " m would be more than a million lamps on the site: give \"outdoor\" a larger "
+                                 "\"spacing\", or a smaller \"count\".");
+        const Point first{(low_.x + high_.x - (columns - 1) * spacing) / 2,
+                          (low_.y + high_.y - (rows - 1) * spacing) / 2};
+        for (int j = 0; j < int(rows); ++j)
+            for (int i = 0; i < int(columns); ++i) {
+                const Place place =
+                    to_millimetres({first.x + i * spacing, first.y + j * spacing, ground_ + light.elevation});
+                if (!air_.holds_post({place[0], place[1]}, ground_, place[2])) continue;
+                lamps.push_back(lamp_at("site/lamp-" + std::to_string(i + 1) + "-" + std::to_string(j + 1), "", place,
+                                        light.lumen, light));
+            }
+        return lamps;
+    }
+
+private:
+    OpenAir air_;
+    Point low_, high_;
+    double ground_ = 0;
+    bool has_ground_ = false;
+};
+
 }  // namespace
 
 std::vector<Lamp> entrance_lamps(const Building& building, const OutdoorLight& light, const VolumeFinder& volumes) {
@@ -104,35 +154,18 @@ std::vector<Lamp> entrance_lamps(const Building& building, const OutdoorLight& l
 }
 
 std::vector<Lamp> site_lamps(const Building& building, const OutdoorLight& light, const VolumeFinder& volumes) {
-    std::vector<Lamp> lamps;
-    if (!(light.spacing > 0 && light.lumen > 0)) return lamps;
-    const plans::GridFrame& frame = building.frame;
-    const Point low{frame.world_x(building.site_min[0]), frame.world_y(building.site_min[1])};
-    const Point high{frame.world_x(building.site_max[0]), frame.world_y(building.site_max[1])};
-    const double columns = std::floor((high.x - low.x) / light.spacing);
-    const double rows = std::floor((high.y - low.y) / light.spacing);
-    if (columns * rows > most_places)
-        throw InputError("U106", "",
-                         "A lamp every " + std::to_string(light.spacing) +
-                             " m would be more than a million lamps on the site: give \"outdoor\" a larger "
-                             "\"spacing\".");
-    std::int32_t ground = INT32_MAX;
-    for (const Volume& volume : building.volumes)
-        if (volume.label == Label::Exterior) ground = std::min(ground, volume.z_low);
-    if (ground == INT32_MAX) return lamps;
-    const double foot = frame.world_z(ground);
-    const Point first{(low.x + high.x - (columns - 1) * light.spacing) / 2,
-                      (low.y + high.y - (rows - 1) * light.spacing) / 2};
-    const OpenAir air(building, volumes);
-    for (int j = 0; j < int(rows); ++j)
-        for (int i = 0; i < int(columns); ++i) {
-            const Place place =
-                to_millimetres({first.x + i * light.spacing, first.y + j * light.spacing, foot + light.elevation});
-            if (!air.holds_post({place[0], place[1]}, foot, place[2])) continue;
-            lamps.push_back(lamp_at("site/lamp-" + std::to_string(i + 1) + "-" + std::to_string(j + 1), "", place,
-                                    light.lumen, light));
-        }
-    return lamps;
+    if (!(light.lumen > 0)) return {};
+    const Site site(building, volumes);
+    if (light.count == 0) return light.spacing > 0 ? site.lamps(light, light.spacing) : std::vector<Lamp>();
+    // As wide a grid as has enough places, of grids a fifteenth apart; what is too many is left out evenly.
+    for (double spacing = site.widest(light.count); spacing > 0.05; spacing /= 1.07) {
+        std::vector<Lamp> all = site.lamps(light, spacing);
+        if (all.size() < light.count) continue;
+        std::vector<Lamp> kept;
+        for (std::size_t k = 0; k < light.count; ++k) kept.push_back(std::move(all[k * all.size() / light.count]));
+        return kept;
+    }
+    return site.lamps(light, 0.05);
 }
 
 }  // namespace enfilade::modeler

@@ -30,9 +30,7 @@ public:
             refuse(fields.at("format_version"),
                    "This program reads format_version 1 of lamp rules; the file has another.");
         rules.utilisation = fields.number("utilisation", {0, 1, true}, rules.utilisation);
-        const double count = fields.number("count", {0, most_lamps}, 0);
-        if (count != std::floor(count)) refuse(fields.at("count"), "\"count\" must be a whole number.");
-        rules.count = std::uint32_t(count);
+        rules.count = read_count(fields);
         rules.replace = fields.flag("replace", rules.replace);
         if (fields.has("rooms")) {
             rules.rooms.clear();
@@ -49,6 +47,12 @@ public:
 private:
     [[noreturn]] void refuse(const JsonValue& at, const std::string& sentence) const {
         plans::refuse(source_, "P105", at.place, sentence);
+    }
+
+    std::uint32_t read_count(const Fields& fields) const {
+        const double count = fields.number("count", {0, most_lamps}, 0);
+        if (count != std::floor(count)) refuse(fields.at("count"), "\"count\" must be a whole number.");
+        return std::uint32_t(count);
     }
 
     template <class Rule>
@@ -87,6 +91,7 @@ private:
     void read_outdoor(const JsonValue& value, OutdoorLight& to) const {
         const Fields fields(value, keys::outdoor, source_);
         to.spacing = fields.length("spacing", {0, 1e6}, to.spacing);
+        to.count = read_count(fields);
         to.elevation = fields.length("elevation", {0.01, 1000}, to.elevation);
         to.lumen = fields.number("lumen", lumens, to.lumen);
         to.kelvin = fields.number("kelvin", kelvins, to.kelvin);

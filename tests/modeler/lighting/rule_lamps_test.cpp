@@ -213,6 +213,11 @@ TEST(SiteLamps, StandOnTheSiteAndUnderNoRoof) {
         ASSERT_TRUE(below.has_value()) << "a lamp on a roof";
         EXPECT_EQ(scene.view().cells[index(*below)].label, Label::Exterior);
     }
+    building.lamps.clear();
+    rules.outdoor.count = 2500;
+    light_building(building, rules);
+    EXPECT_EQ(building.lamps.size(), 2500u);
+    rules.outdoor.count = 0;
     rules.outdoor.spacing = 0.001;
     EXPECT_THROW(light_building(building, rules), InputError);
 }
