@@ -104,6 +104,7 @@ struct Pictures {
     render::RayStats stats;
     ObjectsSummary objects;
     LitPictures lit;                             ///< its scene is gone, too
+    bool has_looks = false;                      ///< of materials
     std::optional<PathPictures> paths_of_light;  ///< its scene is gone, too
     std::optional<MeshScene> mesh;               ///< where the pictures are of one; its scene is gone
     std::string counted;                         ///< what false colours show; empty: pictures of light
@@ -130,6 +131,7 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
     const accel::Scene scene = made.mesh ? std::move(made.mesh->scene) : opened_scene(options.scene);
     const accel::SceneView view = options.no_objects ? without_objects(scene.view()) : scene.view();
     std::copy_n(view.origin, 3, made.origin.begin());
+    made.has_looks = view.has_looks();
     progress.next();
     made.shots = chosen_shots(options, view, console);
     std::vector<std::string> names;
@@ -201,11 +203,12 @@ void add_camera(nlohmann::ordered_json& json, const Shot& shot, const std::array
     json["seconds"] = shot.seconds;
 }
 
-/// Lanes and packets are for one ray a pixel, lit by the lamp at the eye; all else goes ray by ray (render/trace.h).
+/// Lanes and packets are for one ray a pixel, lit by lamps alone and past plain colours; all else goes ray by ray
+/// (render/trace.h).
 const char* walked_by(const RenderOptions& options, const TracerChoice& choice, const Pictures& made) {
     const bool is_plain =
         options.shading == "lambert" && direct_samples(options) == 1 && !made.shots.front().view.cut_z;
-    if (made.lit.are_lit() || made.paths_of_light) return "scalar";
+    if (made.paths_of_light || (made.lit.are_lit() && made.has_looks)) return "scalar";
     return is_plain || choice.is_oracle ? choice.name() : "scalar";
 }
 

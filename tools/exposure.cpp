@@ -8,8 +8,7 @@ namespace enfilade::tools {
 
 namespace {
 
-constexpr double metered_share = 0.9;  ///< of the lit pixels, that are to be no brighter than ...
-constexpr double metered_value = 0.8;  ///< ... this part of white
+constexpr double metered_share = 0.97;  ///< of the lit pixels, that are to be no brighter than white
 
 double luminance(const float* rgb) {
     return 0.2126 * double{rgb[0]} + 0.7152 * double{rgb[1]} + 0.0722 * double{rgb[2]};
@@ -31,7 +30,7 @@ double metered_ev(std::span<const render::Image> images, double usual) {
     const auto rank = std::min(lit.size() - 1, std::size_t(metered_share * double(lit.size())));
     std::ranges::nth_element(lit, lit.begin() + std::ptrdiff_t(rank));
     // Tenths: so that what is said can be asked for, and pictures a hair apart are exposed alike.
-    const double ev = std::round(10 * exposure_value(lit[rank] / metered_value)) / 10;
+    const double ev = std::round(10 * exposure_value(lit[rank])) / 10;
     return std::clamp(ev, darkest_ev, brightest_ev);
 }
 

@@ -15,7 +15,7 @@ inline constexpr double daylight_ev = 13;                     ///< at which the 
 [[nodiscard]] double white_luminance(double ev);
 [[nodiscard]] double exposure_value(double white_luminance);
 
-/// The exposure value, in tenths, at which nine in ten lit pixels of the pictures stay under 0.8 of white; `usual`
+/// The exposure value, in tenths, at which 97 % of the lit pixels of the pictures stay under white; `usual`
 /// where no pixel is lit. images: candela / m2, linear RGB
 [[nodiscard]] double metered_ev(std::span<const render::Image> images, double usual);
 

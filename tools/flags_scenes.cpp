@@ -45,8 +45,8 @@ void add_lights(CLI::App* command, LightFlags& flags) {
     add_value(
         command, "--exposure", flags.exposure, "EV",
         "of pictures lit by lamps: auto, or an exposure value (of ISO 100): 5 to 7 suit rooms in the evening, and "
-        "each step more halves the brightness. auto: nine in ten lit pixels of all pictures stay under 0.8 of "
-        "white. Without it .exr files hold candela / m2 (auto)");
+        "each step more halves the brightness. auto: 97 % of the lit pixels of all pictures stay under white. Without "
+        "it .exr files hold candela / m2 (auto)");
     add_value(command, "--ambient", flags.ambient_lux, "LUX",
               "light of no lamp, which corners darken, where lamps shine with --shading look (a tenth of what becomes "
               "white)");

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int metered_side = 64, metered_samples = 16;
 constexpr std::uint32_t usual_direct = 4;
+constexpr float usual_clamp = 2;  ///< of pictures for the eye: no dots that are brighter by a single path
 
 [[noreturn]] void refuse(const std::string& sentence) { throw InputError("F161", "", sentence); }
 
@@ -54,6 +55,7 @@ PathChoice path_choice(const RenderOptions& options) {
         refuse("--noise is a share, from 0 (all samples are taken) to 1: 0.03 shows little of it.");
     choice.bounces = int(flags.bounces.value_or(std::uint32_t(choice.bounces)));
     choice.seed = flags.seed.value_or(0);
+    choice.clamp = options.output.extension() == ".exr" ? 0 : usual_clamp;
     return choice;
 }
 
@@ -98,6 +100,7 @@ render::PathOptions PathPictures::options(const Shot& shot, const render::TraceO
     path.most_bounces = choice_.bounces;
     path.noise = choice_.noise;
     path.seed = choice_.seed;
+    path.clamp = choice_.clamp;
     path.lamps = trace.lamps.has_value();
     if (trace.lamps) {
         path.search = trace.lamps->search;
@@ -145,6 +148,7 @@ nlohmann::ordered_json PathPictures::json() const {
                                    {"wanted_noise", choice_.noise},
                                    {"bounces", choice_.bounces},
                                    {"seed", choice_.seed},
+                                   {"clamp", choice_.clamp},
                                    {"exposure_ev", ev_},
                                    {"is_exposure_chosen", is_exposure_chosen_}};
     json["pictures"] = nlohmann::ordered_json::array();

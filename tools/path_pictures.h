@@ -22,6 +22,7 @@ struct PathChoice {
     double noise = 0;  ///< at which a part of the picture is good enough; 0: never
     int bounces = 32;
     std::uint64_t seed = 0;
+    float clamp = 0;  ///< light that comes by a bounce counts for no more, in parts of white; 0: for all that it is
 };
 
 /// Reads and checks the flags, before any work. Throws InputError (F161) with one sentence for what is wrong, or means
