@@ -132,8 +132,10 @@ public:
             if (trees.cell_lights[k].beam == accel::no_beam || is_full()) return false;
             const accel::Light& lamp = scene.lights[index(trees.cell_lights[k].light)];
             const Vec3f away = place_of(lamp) - face.eye;
-            const float height = dot(face.normal, away) - face.away;
+            float height = dot(face.normal, away) - face.away;
             if (!(height > 0)) continue;
+            constexpr float least_height = 1e-6f;  // of which the square over its cube is largest_share
+            height = height < least_height ? least_height : height;
             const Vec3f foot = face.away * face.normal - away;  // from the lamp to the eye's foot
             const std::uint32_t first_part = part_top_;
             for (; k < next; ++k) {

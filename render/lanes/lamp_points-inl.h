@@ -12,6 +12,9 @@ HWY_INLINE Vec3f tint_of(const accel::LightTreesView& trees, std::uint32_t beam)
 /// Of lux on a white surface: what it becomes in the picture.
 HWY_INLINE float lamp_scale(const Lamps& lamps) { return 0.318309886f * lamps.exposure; }
 
+/// As lamp_light.h: 1 / m2, that no picture holds an infinity.
+inline constexpr float largest_share = 1e12f;
+
 /// Lights of one lamp in a cell's list: [k, end).
 HWY_INLINE std::uint32_t end_of_lamp(const accel::LightTreesView& trees, std::uint32_t k, std::uint32_t end) {
     const accel::LightId lamp = trees.cell_lights[k].light;
@@ -33,10 +36,10 @@ HWY_INLINE Bits held_by(const accel::PlanesOfBeam& planes, const Points<N>& way,
 /// Cosine over squared distance, from lamps that are at `way` in front of the places. is_exact: for pictures of floats.
 template <int N>
 HWY_INLINE Floats<N> share_of_lamp(const Points<N>& way, const Floats<N>& towards, bool is_exact) {
-    const Floats<N> d2 = dot_lanes(way, way);
-    if (is_exact) return towards / (d2 * root_of(d2));
+    const Floats<N> d2 = dot_lanes(way, way), most(largest_share);
+    if (is_exact) return least(towards / (d2 * root_of(d2)), most);
     const Floats<N> inverse = quick_inverse_root(d2);
-    return towards * (inverse * inverse * inverse);
+    return least(towards * (inverse * inverse * inverse), most);
 }
 
 /// Places in one cell where light is gathered.
@@ -185,18 +188,6 @@ HWY_NOINLINE void add_lit_objects(const Seen<N>& seen, const Rays<N>& rays, Ligh
             at.rays, Light<N>{lux.r * (scale * seen.red), lux.g * (scale * seen.green), lux.b * (scale * seen.blue)},
             light);
     }
-}
-
-/// As light_of, by the scene's lamps.
-template <int N>
-HWY_NOINLINE Light<N> lamp_light_of(const Seen<N>& seen, const Rays<N>& rays, const Floats<N>& inverse_length,
-                                    const Tints<N>& tints) {
-    Light<N> light = {Floats<N>(0), Floats<N>(0), Floats<N>(0)};
-    for (int i = 0; i < seen.ends.size; ++i)
-        add_lit_face(seen.job, seen.scene, rays, seen.ends.way[i], seen.ends.cell[i],
-                     colour_of(seen.scene, seen.scene.source_faces[seen.ends.way[i].target_bits]), light);
-    if (seen.has_hits) add_lit_objects(seen, rays, light);
-    return with_sky_and_glass(seen, inverse_length, tints, light);
 }
 
 }  // namespace HWY_NAMESPACE

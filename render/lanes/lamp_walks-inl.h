@@ -14,21 +14,11 @@ HWY_INLINE Vec3f intensity_of(const accel::Light& lamp) {
 template <class Events>
 HWY_INLINE bool sees_lamp(const accel::SceneView& scene, const ObjectTracer* objects, Vec3f p, std::uint32_t cell,
                           const accel::Light& lamp, Vec3f& throughput, Events& events) {
-    const auto to_cell = static_cast<std::uint32_t>(lamp.cell);
-    if (cell == to_cell && objects == nullptr) return true;
-    const Vec3f way = place_of(lamp) - p;
-    Ray<float> ray;
-    if (!make_ray(p, way, ray)) return true;
-    const ToPoint<float> stop = {largest_part(way) / largest_part(ray.direction), to_cell};
-    if (objects == nullptr) return walk(scene, ray, cell, stop, throughput, events).status == WalkStatus::Reached;
-    const float touch = touch_slack / length(ray.direction);
-    const ObjectPart part = {touch, stop.t - touch};
-    ObjectHit<float> hit;
-    if (cell == to_cell)
-        return !meets_objects<ObjectsAsked::Any>(scene, *objects, ray, scene_slabs(ray), cell, part.near, part.far,
-                                                 hit);
-    return walk_asking<ObjectsAsked::Any>(scene, *objects, ray, cell, stop, part, throughput, events, hit).status ==
-           WalkStatus::Reached;
+    const Vec3f place = place_of(lamp);
+    const auto to_cell = static_cast<std::uint32_t>(lamp.cell), carrier = static_cast<std::uint32_t>(lamp.carrier);
+    if (objects == nullptr)
+        return sees_through(scene, BareRooms{}, p, place, cell, to_cell, throughput, events, carrier);
+    return sees_through(scene, FurnishedRooms{*objects}, p, place, cell, to_cell, throughput, events, carrier);
 }
 
 /// Which places in a cell see a lamp, by walks one by one; multiplies tints by those of the glass on the way. objects:

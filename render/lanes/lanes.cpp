@@ -17,6 +17,7 @@
 #include "render/kernel.h"
 #include "render/mirror.h"
 #include "render/object_walk.h"
+#include "render/sees.h"
 #include "render/shade.h"
 #include "render/walk.h"
 
@@ -58,6 +59,8 @@ HWY_AFTER_NAMESPACE();
 //
 #include "render/lanes/lamp_fill-inl.h"
 //
+#include "render/lanes/lamp_tiles-inl.h"
+//
 #include "render/lanes/picture-inl.h"
 //
 #include "render/lanes/packet-inl.h"
@@ -83,36 +86,51 @@ HWY_INLINE void counted(const Job& job, const Body& body) {
     else body(none);
 }
 
-void simd_tile(const detail::TileJob& job) {
+HWY_NOINLINE void simd_tile_in(const detail::TileJob& job, LitMemory* memory) {
     constexpr int block_rays = lane_count < 8 ? 16 : 32;
     constexpr int side = 32;  // of the rectangles that share an outlook on the camera's cell
     const accel::SceneView scene = *job.scene;
     ObjectsOnImage on_image(scene, *job.camera);
-    LitFaces lit(job, scene);
     counted(job, [&](auto& events) HWY_ATTR {
         for (int y = job.y0; y < job.y1; y += side)
             for (int x = job.x0; x < job.x1; x += side) {
                 const Rectangle at = {x, y, x + side < job.x1 ? x + side : job.x1,
                                       y + side < job.y1 ? y + side : job.y1};
                 Outlooks outlooks(scene, *job.camera, on_image, at, nullptr);
-                if (job.lamps != nullptr) {
-                    lit.see(at);
-                    outlooks.lit = &lit;
+                if (memory != nullptr) {
+                    memory->faces.see(at);
+                    outlooks.lit = &memory->faces;
                 }
                 trace_blocks<block_rays>(job, scene, Bundle{job.start_cell}, outlooks, at, events);
             }
     });
 }
 
-void packet_tile(const detail::TileJob& job) {
+HWY_NOINLINE void packet_tile_in(const detail::TileJob& job, LitMemory* memory) {
     const accel::SceneView scene = *job.scene;
     const Canvas canvas(job);
     counted(job, [&](auto& events) HWY_ATTR {
-        Packets packets(canvas, scene, events);
+        Packets packets(canvas, scene, memory, events);
         for (int y = job.y0; y < job.y1; y += job.packets.largest)
             for (int x = job.x0; x < job.x1; x += job.packets.largest)
-                packets.trace({x, y, job.packets.largest}, Bundle{job.start_cell}, nullptr);
+                packets.trace_all({x, y, job.packets.largest}, Bundle{job.start_cell});
     });
+}
+
+HWY_NOINLINE void lit_tile(const detail::TileJob& job, void (*trace)(const detail::TileJob&, LitMemory*)) {
+    const accel::SceneView scene = *job.scene;
+    LitMemory memory(job, scene);
+    trace(job, &memory);
+}
+
+void simd_tile(const detail::TileJob& job) {
+    if (job.lamps != nullptr) lit_tile(job, simd_tile_in);
+    else simd_tile_in(job, nullptr);
+}
+
+void packet_tile(const detail::TileJob& job) {
+    if (job.lamps != nullptr) lit_tile(job, packet_tile_in);
+    else packet_tile_in(job, nullptr);
 }
 
 /// The whole tile as if its first ray's face filled it.

@@ -18,8 +18,20 @@ public:
     static constexpr int corner_count = 16;
     static constexpr int tile_rays = 32;  ///< of blocks in the smallest tiles
 
-    Packets(const Canvas& canvas, const accel::SceneView& scene, Events& events)
-        : canvas_(canvas), job_(canvas.job), scene_(scene), events_(events), on_image_(scene, *canvas.job.camera) {}
+    /// memory: where there are lamps
+    Packets(const Canvas& canvas, const accel::SceneView& scene, LitMemory* memory, Events& events)
+        : canvas_(canvas),
+          job_(canvas.job),
+          scene_(scene),
+          events_(events),
+          on_image_(scene, *canvas.job.camera),
+          memory_(memory) {}
+
+    /// Traces a tile that no other holds.
+    void trace_all(const Tile& tile, const Bundle& from) {
+        if (memory_ != nullptr) memory_->faces.see(clipped(tile));
+        trace(tile, from, nullptr);
+    }
 
     /// Traces a tile from where its rays are. `around`: the outlooks of a tile that holds this one.
     void trace(const Tile& tile, const Bundle& from, const Outlooks* around) {
@@ -76,6 +88,7 @@ private:
 
     void trace_small(const Rectangle& at, const Bundle& bundle, const Outlooks* around) {
         Outlooks outlooks(scene_, *job_.camera, on_image_, at, around);
+        if (memory_ != nullptr) outlooks.lit = &memory_->faces;
         if (job_.objects != nullptr && sees_objects(outlooks, bundle))
             return trace_blocks<ObjectRays::count>(job_, scene_, bundle, outlooks, at, events_);
         trace_blocks<tile_rays>(job_, scene_, bundle, outlooks, at, events_);
@@ -176,6 +189,10 @@ private:
         const accel::SourceFace& seen = scene_.source_faces[way.target_bits];
         const bool is_sky = seen.surface == accel::Surface::Sky;
         if (is_sky && !bundle.is_mirrored) return false;
+        if (!bundle.is_mirrored && memory_->faces.light(way, bundle.cell, bundle.tint, at)) {
+            events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));
+            return true;
+        }
         const float shown = lamp_scale(*job_.lamps);
         LitFace faces[2];
         LitLayers layers;
@@ -188,12 +205,12 @@ private:
                           shown * bundle.tint * colour_of(scene_, seen), faces[layers.count++]);
         for (int l = 0; l < layers.count && is_whole; ++l) {
             const FaceCorners corners(*job_.camera, faces[l], at);
-            layers.layer[l] = {&faces[l], &lamps_[l], {}};
+            layers.layer[l] = {&faces[l], &memory_->lamps[l], {}};
             is_whole = !faces[l].is_near() && corners.is_sound &&
-                       lamps_[l].take_all(job_, scene_, faces[l], corners, layers.layer[l].span);
+                       memory_->lamps[l].take_all(job_, scene_, faces[l], corners, layers.layer[l].span);
         }
         if (is_whole) {
-            FaceLamps* const lamps[2] = {&lamps_[0], &lamps_[1]};
+            FaceLamps* const lamps[2] = {&memory_->lamps[0], &memory_->lamps[1]};
             light_rectangle(job_, scene_, lamps, layers, at);
             events_.filled_tile(static_cast<std::uint64_t>(at.x1 - at.x0) * static_cast<std::uint64_t>(at.y1 - at.y0));
         } else {
@@ -204,7 +221,7 @@ private:
     }
 
     void fill_tile(const Rectangle& at, const Way& way, const Bundle& bundle) {
-        if (job_.lamps != nullptr && light_tile(at, way, bundle)) return;
+        if (memory_ != nullptr && light_tile(at, way, bundle)) return;
         Layers layers;
         if (bundle.is_mirrored) layers.layer[layers.count++] = {false, 1, {0, 0, -1}, bundle.floor};
         see(way, bundle, layers.layer[layers.count++]);
@@ -243,7 +260,7 @@ private:
     const accel::SceneView& scene_;
     Events& events_;
     ObjectsOnImage on_image_;
-    FaceLamps lamps_[2];
+    LitMemory* memory_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -93,7 +93,8 @@ HWY_NOINLINE void reflect_block(const Rays<N>& rays, const Seen<N>& seen, const 
     } else {
         walk_together(seen.scene, turned, seen.mirror_groups, tints, reflected, events);
     }
-    const Light<N> more = seen.job.lamps != nullptr ? lamp_light_of(reflected, turned, inverse_length, tints)
+    const Light<N> more = seen.job.lamps != nullptr ? lamp_light_of(reflected, turned, inverse_length, tints, nullptr,
+                                                                    inverse_length, inverse_length)
                                                     : light_of(reflected, inverse_length, tints);
     const Floats<N> share(seen.job.mirror_floor), rest(1 - seen.job.mirror_floor);
     light = choose_light(
@@ -292,7 +293,8 @@ HWY_INLINE bool trace_plain_block(const detail::TileJob& job, const accel::Scene
 /// The light of a block whose rays may go different ways, followed to their ends.
 template <int N, class Events>
 HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneView& scene, const Bundle& bundle,
-                               Outlooks& outlooks, const Rectangle& at, const Points<N>& directions, Events& events) {
+                               Outlooks& outlooks, const Rectangle& at, const Floats<N>& x, const Floats<N>& y,
+                               const Points<N>& directions, Events& events) {
     using F = Floats<N>;
     EyeRays<N> rays(outlooks, job.camera->origin, directions);
     if (HWY_UNLIKELY(bundle.is_mirrored)) rays.mirror(bundle.mirror_level);
@@ -314,7 +316,8 @@ HWY_NOINLINE void follow_block(const detail::TileJob& job, const accel::SceneVie
     const F squared = dot_lanes(rays.direction, rays.direction);
     F inverse_length = quick_inverse_root(squared);
     if (job.rgb != nullptr) inverse_length = exact_inverse_root(squared);
-    Light<N> light = job.lamps != nullptr ? lamp_light_of(seen, rays.all(), inverse_length, tints)
+    Light<N> light = job.lamps != nullptr ? lamp_light_of(seen, rays.all(), inverse_length, tints,
+                                                          bundle.is_mirrored ? nullptr : outlooks.lit, x, y)
                                           : light_of(seen, inverse_length, tints);
     if (HWY_UNLIKELY(seen.mirrors != 0)) reflect_block(rays.all(), seen, inverse_length, tints, light, events);
     if (HWY_UNLIKELY(!(bundle.tint == Vec3f{1, 1, 1})))
@@ -343,7 +346,7 @@ HWY_INLINE void trace_block(const detail::TileJob& job, const accel::SceneView& 
     const bool is_plain =
         job.rgb == nullptr && !bundle.is_mirrored && (job.lamps == nullptr || outlooks.lit != nullptr);
     if (is_plain && trace_plain_block(job, scene, bundle, outlooks, at, d, events)) return;
-    follow_block(job, scene, bundle, outlooks, at, d, events);
+    follow_block(job, scene, bundle, outlooks, at, x, y, d, events);
 }
 
 /// Stores wait in line, and what waits for memory holds all behind it up: the picture's lines are asked for before.
