@@ -59,11 +59,13 @@ std::optional<ConeVector> LampCones::plane_of(const ConeVector& from, const Cone
     return (1 / length(normal)) * normal;
 }
 
-std::optional<ConePlanes> LampCones::behind(const ConePlanes& cone, std::span<const ConeVector> portal) {
+std::optional<ConePlanes> LampCones::behind(const ConePlanes& cone, std::span<const ConeVector> portal,
+                                            const ConeVector& outward) {
     begin_with(portal);
     for (std::uint32_t k = cone.first; k < cone.first + cone.count; ++k)
         if (!clip(planes_[k], k)) return std::nullopt;
     ConePlanes next = {static_cast<std::uint32_t>(planes_.size()), 0};
+    bool is_bounded = false;
     for (std::size_t i = 0; i < lit_.size(); ++i) {
         const std::uint32_t edge = lit_[i].edge;
         if (std::any_of(lit_.begin(), lit_.begin() + static_cast<std::ptrdiff_t>(i),
@@ -71,11 +73,31 @@ std::optional<ConePlanes> LampCones::behind(const ConePlanes& cone, std::span<co
             continue;
         const std::size_t begin = edge & ~of_portal;
         if (edge < of_portal) planes_.push_back(ConeVector(planes_[edge]));
-        else if (const auto plane = plane_of(portal[begin], portal[begin + 1 == portal.size() ? 0 : begin + 1]))
+        else if (const auto plane = plane_of(portal[begin], portal[begin + 1 == portal.size() ? 0 : begin + 1])) {
             planes_.push_back(*plane);
+            is_bounded = true;
+        }
     }
+    is_last_edge_on_ = is_bounded && dot(outward, portal[0]) <= slack_;
+    if (dot(outward, portal[0]) <= 4 * slack_) add_ends(outward);
     next.count = static_cast<std::uint32_t>(planes_.size()) - next.first;
     return next;
+}
+
+/// Where the lamp lies in the plane of the portal, planes through edges are that plane: they do not tell where the
+/// portal ends. Planes across it do.
+void LampCones::add_ends(const ConeVector& outward) {
+    for (const Vertex& end : lit_) {
+        ConeVector across = cross(outward, end.at);
+        double lowest = 0, highest = 0;
+        for (const Vertex& v : lit_) {
+            lowest = std::min(lowest, dot(across, v.at));
+            highest = std::max(highest, dot(across, v.at));
+        }
+        const double spare = slack_ * length(across);
+        if (lowest < -spare && highest > spare) continue;
+        if (const auto plane = plane_of(end.at, end.at + outward)) planes_.push_back(*plane);
+    }
 }
 
 ConePlanes LampCones::behind_in_vain(const ConePlanes& cone, std::span<const ConeVector> portal) {
@@ -87,6 +109,13 @@ ConePlanes LampCones::behind_in_vain(const ConePlanes& cone, std::span<const Con
             planes_.push_back(*plane);
     next.count = static_cast<std::uint32_t>(planes_.size()) - next.first;
     return next;
+}
+
+bool LampCones::is_last_within(const ConePlanes& other) const {
+    const double least = slack_ * (1 - 1e-9);
+    return std::ranges::all_of(planes(other), [&](const ConeVector& plane) {
+        return std::ranges::all_of(lit_, [&](const Vertex& v) { return dot(plane, v.at) >= least; });
+    });
 }
 
 ConePlanes LampCones::add(const ConeVector& normal) {

@@ -46,11 +46,17 @@ public:
     }
 
     /// The cone behind one more portal; nothing where no line gets there. portal: convex, clockwise as seen from the
-    /// lamp. What of the older planes touches the lit part of the portal stays; planes of portals that the lamp is in
-    /// or next to are left out, as all lines cross those.
-    std::optional<ConePlanes> behind(const ConePlanes& cone, std::span<const ConeVector> portal);
+    /// lamp; outward: its normal, away from the lamp. What of the older planes touches the lit part of the portal
+    /// stays; planes of portals that the lamp is in or next to are left out, as all lines cross those.
+    std::optional<ConePlanes> behind(const ConePlanes& cone, std::span<const ConeVector> portal,
+                                     const ConeVector& outward);
+    /// Whether the last call of `behind` has found a portal whose plane holds the lamp, and the lamp beside it: it is
+    /// crossed by lines along that plane alone.
+    [[nodiscard]] bool is_last_edge_on() const { return is_last_edge_on_; }
     /// Both the cone's planes and the portal's, where `behind` has found that they have no line in common.
     ConePlanes behind_in_vain(const ConePlanes& cone, std::span<const ConeVector> portal);
+    /// Whether another cone holds all lines that the last call of `behind` has found.
+    [[nodiscard]] bool is_last_within(const ConePlanes& other) const;
     ConePlanes add(const ConeVector& normal);
 
 private:
@@ -61,12 +67,14 @@ private:
 
     bool clip(const ConeVector& normal, std::uint32_t edge);
     [[nodiscard]] std::optional<ConeVector> plane_of(const ConeVector& from, const ConeVector& to) const;
+    void add_ends(const ConeVector& outward);
     void begin_with(std::span<const ConeVector> portal);
 
     double slack_;
     std::vector<ConeVector> planes_;
     std::vector<Vertex> lit_;    ///< the portal, as far as it is lit
     std::vector<Vertex> spare_;  ///< between two clips
+    bool is_last_edge_on_ = false;
 };
 
 }  // namespace enfilade::accel::detail

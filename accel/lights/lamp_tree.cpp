@@ -34,7 +34,6 @@ LampWalkOptions walk_options(const SceneView& view, const LightTreeOptions& opti
     of.margin = std::max(double(margin) * view.unit, view.unit * 0x1p-4);
     of.precision = std::min(float_precision(view), of.margin);
     of.through_glass = options.through_glass;
-    of.light = options.trees;
     of.most_steps = options.most_beams;
     return of;
 }

@@ -10,13 +10,27 @@ bool LampWalk::follow(CellId cell, const std::array<float, 3>& lamp, double radi
     lamp_ = lamp;
     reach_ = LampCones(options_.margin + radius);
     light_.clear();
-    steps_.clear();
-    steps_.push_back({cell, 0, none<PortalId>, {}, {}, false});
+    forget();
+    steps_.push_back({cell, 0, none<PortalId>, {}, {}, UINT32_MAX, false});
+    last_in_cell_[index(cell)] = 0;
     for (std::uint32_t k = 0; k < steps_.size(); ++k) {
         if (steps_.size() > options_.most_steps) return false;
         expand(k);
     }
-    return true;
+    return steps_.size() <= options_.most_steps;
+}
+
+void LampWalk::forget() {
+    for (const LampStep& step : steps_) last_in_cell_[index(step.cell)] = UINT32_MAX;
+    steps_.clear();
+}
+
+/// In the plane of many portals, rounding may lead this way or that at each of them: ways without number, of which only
+/// those are followed that find more than others before them in the same cell.
+bool LampWalk::is_known(CellId cell) const {
+    for (std::uint32_t k = last_in_cell_[index(cell)]; k != UINT32_MAX; k = steps_[k].before_in_cell)
+        if (reach_.is_last_within(steps_[k].reach)) return true;
+    return false;
 }
 
 ConeVector LampWalk::from_lamp(std::uint32_t section, float z) const {
@@ -86,17 +100,23 @@ void LampWalk::expand_level(std::uint32_t number, bool is_up) {
 }
 
 void LampWalk::enter(std::uint32_t number, PortalId portal, Target target, const ConeVector& outward, double before) {
-    const std::optional<ConePlanes> reach = reach_.behind(steps_[number].reach, portal_);
+    const std::optional<ConePlanes> reach = reach_.behind(steps_[number].reach, portal_, outward);
     if (!reach || is_on_way(number, target.neighbour())) return;
-    LampStep step = {target.neighbour(), number, portal, *reach, {}, steps_[number].is_dark};
-    if (options_.light) step.light = light_behind(steps_[number], outward, before, step.is_dark);
+    const CellId cell = target.neighbour();
+    LampStep step = {cell, number, portal, *reach, {}, last_in_cell_[index(cell)], steps_[number].is_dark};
+    step.light = light_behind(steps_[number], outward, before, step.is_dark);
+    if (step.is_dark && is_known(cell)) return;
+    last_in_cell_[index(cell)] = static_cast<std::uint32_t>(steps_.size());
     steps_.push_back(step);
 }
 
 ConePlanes LampWalk::light_behind(const LampStep& step, const ConeVector& outward, double before, bool& is_dark) {
     if (step.is_dark) return step.light;
     if (before >= -light_.slack())
-        if (const std::optional<ConePlanes> light = light_.behind(step.light, portal_)) return *light;
+        if (const std::optional<ConePlanes> light = light_.behind(step.light, portal_, outward)) {
+            is_dark = light_.is_last_edge_on();
+            return *light;
+        }
     is_dark = true;
     if (before < -light_.slack()) return light_.add(-1.0 * outward);
     return light_.behind_in_vain(step.light, portal_);

@@ -14,18 +14,18 @@ namespace enfilade::accel::detail {
 /// One way of a lamp's light into a cell.
 struct LampStep {
     CellId cell;
-    std::uint32_t parent;  ///< its own number at the lamp
-    PortalId portal;       ///< through which it came; none at the lamp
-    ConePlanes reach;      ///< of all that a walk in float may find
-    ConePlanes light;      ///< of the light itself; nothing where no planes are asked for
-    bool is_dark;          ///< reached by rounding alone
+    std::uint32_t parent;          ///< its own number at the lamp
+    PortalId portal;               ///< through which it came; none at the lamp
+    ConePlanes reach;              ///< of all that a walk in float may find
+    ConePlanes light;              ///< of the light itself
+    std::uint32_t before_in_cell;  ///< the step before it in its cell; 2^32 - 1 for none
+    bool is_dark;                  ///< reached by rounding alone
 };
 
 struct LampWalkOptions {
     double margin = 0;     ///< metres by which a walk may miss a portal's edge; more than 0
     double precision = 0;  ///< metres within which `light` is right; more than 0, at most the margin
     bool through_glass = true;
-    bool light = true;  ///< whether `light` is asked for
     std::uint32_t most_steps = UINT32_MAX;
 };
 
@@ -33,7 +33,7 @@ struct LampWalkOptions {
 class LampWalk {
 public:
     LampWalk(const SceneView& view, const LampWalkOptions& options)
-        : view_(view), options_(options), light_(options.precision) {}
+        : view_(view), options_(options), light_(options.precision), last_in_cell_(view.cells.size(), UINT32_MAX) {}
 
     /// Parents come before children. radius (metres): the steps are those of a ball's light, `light` that of its
     /// centre. Returns false where more steps than allowed would be needed; `steps` holds too few then.
@@ -52,6 +52,8 @@ private:
     [[nodiscard]] ConePlanes light_behind(const LampStep& step, const ConeVector& outward, double before,
                                           bool& is_dark);
     [[nodiscard]] bool is_open(const LampStep& step, PortalId portal, Target target) const;
+    [[nodiscard]] bool is_known(CellId cell) const;
+    void forget();
     [[nodiscard]] bool is_on_way(std::uint32_t number, CellId cell) const;
     [[nodiscard]] ConeVector from_lamp(std::uint32_t section, float z) const;
 
@@ -61,7 +63,8 @@ private:
     LampCones reach_{1};
     LampCones light_;
     std::vector<LampStep> steps_;
-    std::vector<ConeVector> portal_;  ///< at hand
+    std::vector<std::uint32_t> last_in_cell_;  ///< [cell_count] the last step into it
+    std::vector<ConeVector> portal_;           ///< at hand
 };
 
 }  // namespace enfilade::accel::detail
