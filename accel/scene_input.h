@@ -68,6 +68,7 @@ struct InputTexture {
     std::uint32_t height = 0;
     std::uint32_t level_count = 0;
     std::vector<std::array<std::uint8_t, 4>> texels;  ///< of all levels, the largest first: sRGB and alpha
+    friend bool operator==(const InputTexture&, const InputTexture&) = default;
 };
 
 /// What a material is besides its colour (accel/scene.h, MaterialLook).

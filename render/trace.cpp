@@ -129,8 +129,10 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
 void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, accel::CellId start,
                    const LambertOptions& options, const accel::Executor& executor, Framebuffer& framebuffer) {
     const Look look = lambert_look({});
+    accel::SceneView plain_scene = scene;
+    plain_scene.material_looks = {};
     detail::TileJob job = {};
-    job.scene = &scene;
+    job.scene = &plain_scene;
     job.camera = &frame;
     job.look = &look;
     job.rgba = framebuffer.rgba.data();

@@ -59,8 +59,8 @@ struct LambertOptions {
     RayStats* stats = nullptr;
 };
 
-/// One frame after the other into a framebuffer that the caller keeps: `Shading::Lambert`, one sample, no allocation
-/// but for stats. What benchmarks measure.
+/// One frame after the other into a framebuffer that the caller keeps: `Shading::Lambert`, one sample, plain colours
+/// without mirrors, glass of furniture and textures, no allocation but for stats. What benchmarks measure.
 /// \pre framebuffer has the camera's size; the options are sound (R4)
 void trace_lambert(const accel::SceneView& scene, const CameraFrame& frame, accel::CellId start,
                    const LambertOptions& options, const accel::Executor& executor, Framebuffer& framebuffer);

@@ -113,6 +113,16 @@ void add_furnish_flags(CLI::App* command, FurnishFlags& furnish) {
     add_value(command, "--object-triangles", furnish.object_triangles, "N",
               "decimate meshes of more triangles to this many, where they can be (never)")
         ->check(CLI::Range(4u, 1000000000u));
+    command
+        ->add_option_function<std::string>(
+            "--textures",
+            [&furnish](const std::string& side) {
+                furnish.texture_side = side == "none" ? 0 : static_cast<std::uint32_t>(std::stoul(side));
+            },
+            "pictures on furniture, scaled down to this many texels a side: sharper ones take more memory; none: their "
+            "mean colours (1024)")
+        ->option_text("SIZE")
+        ->check(CLI::IsMember({"none"}) | CLI::Range(1u, 16384u));
     add_value(command, "--detail", furnish.detail, "N", "of our own pieces: 1 plain, 2 and more rounder and finer (1)")
         ->check(CLI::Range(1u, 8u));
     add_value(

@@ -53,6 +53,7 @@ Furniture::Furniture(const FurnishFlags& flags, const std::filesystem::path& pla
         modeler::CatalogueOptions options;
         options.detail = flags.detail;
         options.object_triangles = flags.object_triangles;
+        options.texture_side = flags.texture_side;
         catalogue_.emplace(options);
         for (const std::filesystem::path& path : flags.catalogues) catalogue_->add(path);
         const auto is_plan = [&](const std::filesystem::path& path) { return same_file(path, plan_file); };

@@ -57,6 +57,9 @@ std::string furniture_text(const accel::SceneView& scene, const accel::SceneStat
     text += "\n  triangles           " + grouped(stats.unique_triangles) + ", with all copies " +
             grouped(stats.instanced_triangles);
     text += "\n  listed in cells     " + grouped(stats.listed_objects) + " times";
+    if (stats.texture_bytes > 0)
+        text += "\n  textures            " + grouped(stats.textures) + ", with mirrors and glass " +
+                byte_text(double(stats.texture_bytes));
     return text + "\n  bytes               " + byte_text(double(stats.mesh_bytes)) + " of meshes, " +
            byte_text(double(stats.object_bytes)) + " of places and lists\n";
 }
@@ -69,7 +72,9 @@ Json furniture_json(const accel::SceneView& scene, const accel::SceneStats& stat
                  {"instanced_triangles", stats.instanced_triangles},
                  {"listed_objects", stats.listed_objects},
                  {"object_bytes", stats.object_bytes},
-                 {"mesh_bytes", stats.mesh_bytes}};
+                 {"mesh_bytes", stats.mesh_bytes},
+                 {"textures", stats.textures},
+                 {"texture_bytes", stats.texture_bytes}};
     json["spaces"] = Json::array();
     for (const auto& [number, counts] : by_space(scene)) {
         const accel::Space& space = scene.spaces[number];

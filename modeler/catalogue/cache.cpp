@@ -60,10 +60,11 @@ CacheKey source_key(const std::filesystem::path& path, SourceKind kind) {
     return key;
 }
 
-CacheKey mesh_key(const CacheKey& source, const CatalogueRecord& record, std::uint32_t object_triangles) {
+CacheKey mesh_key(const CacheKey& source, const CatalogueRecord& record, const CatalogueOptions& options) {
     CacheKey key = source;
     const Fitting& fitting = record.fitting;
-    key.place += "\n" + record.entry.id + "\n" + record.model + "\n" + std::to_string(object_triangles);
+    key.place += "\n" + record.entry.id + "\n" + record.model + "\n" + std::to_string(options.object_triangles) + "\n" +
+                 std::to_string(options.texture_side);
     key.state += record.entry.name + "\n" + plans::number_text(fitting.unit);
     key.state += std::string(" ") + (fitting.up ? (*fitting.up == UpAxis::Y ? "y" : "z") : "-");
     key.state += " " + std::to_string(static_cast<int>(fitting.front));

@@ -20,7 +20,7 @@ struct CacheKey {
 [[nodiscard]] CacheKey source_key(const std::filesystem::path& path, SourceKind kind);
 
 /// The key of one of its meshes.
-[[nodiscard]] CacheKey mesh_key(const CacheKey& source, const CatalogueRecord& record, std::uint32_t object_triangles);
+[[nodiscard]] CacheKey mesh_key(const CacheKey& source, const CatalogueRecord& record, const CatalogueOptions& options);
 
 /// A folder of files, each whole or absent: they are written under another name first. What cannot be read, is damaged
 /// or was made from something else counts as absent; what cannot be written is not kept. Never throws.

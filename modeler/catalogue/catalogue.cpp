@@ -98,11 +98,11 @@ struct Catalogue::State {
     [[nodiscard]] LoadedMesh read(const Origin& origin) const {
         if (origin.record.entry.triangles == 0) return {.mesh = {.name = origin.record.entry.name}};
         const Source& source = sources[origin.source];
-        const CacheKey key = mesh_key(source.key, origin.record, options.object_triangles);
+        const CacheKey key = mesh_key(source.key, origin.record, options);
         if (options.use_cache)
             if (auto kept = cache.mesh(key)) return std::move(*kept);
         const auto files = open_source(source.path, source.kind);
-        const RawMesh raw = read_model(*files, origin.record.model, ReadImages::Yes);
+        const RawMesh raw = read_model(*files, origin.record.model, ReadImages::Yes, options.texture_side);
         LoadedMesh loaded =
             decimated(fitted(raw, origin.record.fitting, origin.record.entry.name), options.object_triangles);
         if (options.use_cache) cache.keep(key, loaded);

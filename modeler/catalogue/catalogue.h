@@ -36,6 +36,7 @@ struct CatalogueEntry {
 struct CatalogueOptions {
     std::uint32_t detail = 1;            ///< of our own pieces: 1 plain, 2, 3 ... rounder and finer
     std::uint32_t object_triangles = 0;  ///< meshes of more are decimated to this where they can be; 0: never
+    std::uint32_t texture_side = 1024;   ///< pictures have at most that many texels a side; 0: their mean colours alone
     std::filesystem::path cache;         ///< folder of the index; empty: `default_cache()`
     bool use_cache = true;
 };

@@ -105,6 +105,8 @@ ObjectMesh taken_back(const TriMesh& from, OpenMesh::FPropHandleT<std::uint32_t>
     ObjectMesh mesh;
     mesh.name = std::move(whole.name);
     mesh.materials = std::move(whole.materials);
+    // Collapsed edges take no care of where textures lie: their means show.
+    for (ObjectMaterial& kept : mesh.materials) kept.look.texture = UINT32_MAX;
     for (const auto face : from.all_faces()) {
         if (from.status(face).deleted()) continue;
         std::array<std::uint32_t, 3> corners{};

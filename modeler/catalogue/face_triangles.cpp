@@ -33,6 +33,15 @@ std::array<double, 3> normal_of(std::span<const std::array<double, 3>> corners) 
     return normal;
 }
 
+/// Where a corner lies on a texture; the origin where the file does not say, or says nothing that can be looked up.
+std::array<float, 2> texcoord(const Mesh& mesh, std::uint32_t at) {
+    constexpr float most_repeats = 1e5f;
+    if (at >= mesh.texcoords.size()) return {0, 0};
+    const std::array<float, 2>& uv = mesh.texcoords[at];
+    const bool is_sound = std::abs(uv[0]) <= most_repeats && std::abs(uv[1]) <= most_repeats;
+    return is_sound ? uv : std::array<float, 2>{0, 0};
+}
+
 }  // namespace
 
 bool FaceTriangles::is_ear(std::size_t before, std::size_t at, std::size_t after) const {
@@ -123,6 +132,10 @@ RawMesh triangulated(const Mesh& mesh) {
         cutter.cut(corners, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
             raw.triangles.push_back({ring[a], ring[b], ring[c]});
             raw.triangle_materials.push_back(material_number);
+            if (mesh.ring_texcoord.empty()) return;
+            const std::uint32_t first = mesh.ring_first[f];
+            for (const std::uint32_t k : {a, b, c})
+                raw.texcoords.push_back(texcoord(mesh, mesh.ring_texcoord[first + k]));
         });
     }
     return raw;

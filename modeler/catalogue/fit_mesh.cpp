@@ -82,7 +82,7 @@ void copy_materials(const RawMesh& raw, ObjectMesh& mesh) {
     for (std::uint32_t& m : mesh.triangle_materials) {
         if (number[m] == UINT32_MAX) {
             number[m] = static_cast<std::uint32_t>(mesh.materials.size());
-            mesh.materials.push_back({raw.materials[m].name, raw.materials[m].colour});
+            mesh.materials.push_back({raw.materials[m].name, raw.materials[m].colour, raw.materials[m].look});
         }
         m = number[m];
     }
@@ -128,7 +128,10 @@ ObjectMesh fitted(const RawMesh& raw, const Fitting& fitting, std::string name) 
         if (!(raw.materials[raw.triangle_materials[t]].opacity > 0)) continue;
         mesh.triangles.push_back(raw.triangles[t]);
         mesh.triangle_materials.push_back(raw.triangle_materials[t]);
+        if (raw.texcoords.empty()) continue;
+        for (std::size_t k = 0; k < 3; ++k) mesh.texcoords.push_back(raw.texcoords[3 * t + k]);
     }
+    mesh.textures = raw.textures;
     // Unused points of the file may be no numbers: they must not be compared.
     for (auto& v : mesh.vertices)
         if (!(std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]))) v = {0, 0, 0};

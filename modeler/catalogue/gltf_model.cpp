@@ -7,9 +7,11 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 #include "base/error.h"
 #include "modeler/catalogue/image_mean.h"
+#include "modeler/catalogue/picture.h"
 #include "modeler/catalogue/read_model.h"
 
 namespace enfilade::modeler {
@@ -88,8 +90,9 @@ std::array<double, 3> moved_by(const Matrix& m, const aiVector3D& p) {
 
 class Conversion {
 public:
-    Conversion(const aiScene& scene, const FileTree& files, const std::string& name, ReadImages images)
-        : scene_(scene), files_(files), name_(name), images_(images) {}
+    Conversion(const aiScene& scene, const FileTree& files, const std::string& name, ReadImages images,
+               std::uint32_t texture_side)
+        : scene_(scene), files_(files), name_(name), images_(images), texture_side_(texture_side) {}
 
     RawMesh run() {
         raw_.up = UpAxis::Y;
@@ -111,6 +114,7 @@ public:
             for (unsigned k = visit.node->mNumChildren; k > 0; --k)
                 open.push_back({visit.node->mChildren[k - 1], matrix});
         }
+        drop_unused_texcoords(raw_);
         return std::move(raw_);
     }
 
@@ -126,26 +130,43 @@ private:
         if (has_base && from.Get(AI_MATKEY_GLTF_ALPHAMODE, text) == aiReturn_SUCCESS &&
             std::string_view(text.C_Str()) == "BLEND")
             to.opacity = clamped(base.a);
+        make_glass(to);
         if (images_ == ReadImages::No) return to;
         if (from.GetTexture(aiTextureType_BASE_COLOR, 0, &text) != aiReturn_SUCCESS &&
             from.GetTexture(aiTextureType_DIFFUSE, 0, &text) != aiReturn_SUCCESS)
             return to;
-        const auto mean = texture_mean(text.C_Str());
-        if (!mean) ++raw_.unread_images;
-        else
-            for (std::size_t k = 0; k < 3; ++k) to.colour[k] *= (*mean)[k];
+        const auto bytes = texture_bytes(text.C_Str());
+        const auto mean = bytes ? mean_colour(*bytes) : std::nullopt;
+        if (!mean) {
+            ++raw_.unread_images;
+            return to;
+        }
+        const bool is_white = to.colour == std::array<float, 3>{1, 1, 1};
+        for (std::size_t k = 0; k < 3; ++k) to.colour[k] *= (*mean)[k];
+        // One whose texels are multiplied by another colour shows their mean.
+        if (texture_side_ > 0 && (is_white || !has_base)) to.look.texture = texture_number(text.C_Str(), *bytes);
         return to;
+    }
+
+    /// Each picture once.
+    std::uint32_t texture_number(const std::string& name, std::string_view bytes) {
+        const auto [at, is_new] = textures_.try_emplace(name, UINT32_MAX);
+        if (!is_new) return at->second;
+        if (auto texture = read_texture(name, bytes, texture_side_)) {
+            at->second = static_cast<std::uint32_t>(raw_.textures.size());
+            raw_.textures.push_back(std::move(texture));
+        }
+        return at->second;
     }
 
     static float clamped(float value) { return value >= 0 ? std::min(value, 1.0f) : 0; }
 
-    [[nodiscard]] std::optional<std::array<float, 3>> texture_mean(const char* texture) const {
+    [[nodiscard]] std::optional<std::string> texture_bytes(const char* texture) const {
         if (const aiTexture* inside = scene_.GetEmbeddedTexture(texture)) {
             if (inside->mHeight != 0) return std::nullopt;  // raw pixels: no importer of glTF gives them
-            return mean_colour({reinterpret_cast<const char*>(inside->pcData), inside->mWidth});
+            return std::string(reinterpret_cast<const char*>(inside->pcData), inside->mWidth);
         }
-        const auto bytes = files_.read(name_beside(name_, texture));
-        return bytes ? mean_colour(*bytes) : std::nullopt;
+        return files_.read(name_beside(name_, texture));
     }
 
     void add(const aiMesh& mesh, const Matrix& matrix) {
@@ -177,7 +198,17 @@ private:
             }
             raw_.triangles.push_back(corners);
             raw_.triangle_materials.push_back(material);
+            for (std::size_t k = 0; k < 3; ++k) raw_.texcoords.push_back(texcoord(mesh, face.mIndices[k]));
         }
+    }
+
+    /// The reader has v grow upward, as OBJ does.
+    static std::array<float, 2> texcoord(const aiMesh& mesh, unsigned v) {
+        constexpr float most_repeats = 1e5f;
+        if (!mesh.HasTextureCoords(0)) return {0, 0};
+        const aiVector3D& at = mesh.mTextureCoords[0][v];
+        const bool is_sound = std::abs(at.x) <= most_repeats && std::abs(at.y) <= most_repeats;
+        return is_sound ? std::array<float, 2>{at.x, at.y} : std::array<float, 2>{0, 0};
     }
 
     static bool is_finite(const std::array<double, 3>& p) {
@@ -188,6 +219,8 @@ private:
     const FileTree& files_;
     const std::string& name_;
     ReadImages images_;
+    std::uint32_t texture_side_;
+    std::map<std::string, std::uint32_t> textures_;
     RawMesh raw_;
 };
 
@@ -206,7 +239,8 @@ std::string why_unread(std::string reason, const std::string& root) {
 
 }  // namespace
 
-RawMesh read_gltf_model(const FileTree& files, const std::string& name, std::string_view bytes, ReadImages images) {
+RawMesh read_gltf_model(const FileTree& files, const std::string& name, std::string_view bytes, ReadImages images,
+                        std::uint32_t texture_side) {
     // assimp goes by the extension; archives may have given another.
     const std::string root = name_beside(name, bytes.starts_with("glTF") ? "model.glb" : "model.gltf");
     Assimp::Importer importer;
@@ -216,7 +250,7 @@ RawMesh read_gltf_model(const FileTree& files, const std::string& name, std::str
     if (scene == nullptr)
         throw InputError("K107", files.title(),
                          "The model " + name + " cannot be used: " + why_unread(importer.GetErrorString(), root));
-    return Conversion(*scene, files, name, images).run();
+    return Conversion(*scene, files, name, images, texture_side).run();
 }
 
 }  // namespace enfilade::modeler

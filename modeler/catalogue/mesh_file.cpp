@@ -1,12 +1,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "accel/texture_chain.h"
 #include "modeler/catalogue/cache.h"
 
 namespace enfilade::modeler {
 namespace {
 
-constexpr std::string_view magic = "ENFMESH1";
+constexpr std::string_view magic = "ENFMESH2";
 
 /// Tells damage, not malice.
 std::uint64_t checksum(std::string_view bytes) {
@@ -84,6 +85,17 @@ bool is_sound(const ObjectMesh& mesh) {
             if (v >= mesh.vertices.size()) return false;
     for (const std::uint32_t m : mesh.triangle_materials)
         if (m >= mesh.materials.size()) return false;
+    if (!mesh.texcoords.empty() && mesh.texcoords.size() != 3 * mesh.triangles.size()) return false;
+    for (const auto& uv : mesh.texcoords)
+        if (!(std::abs(uv[0]) <= 1e5f && std::abs(uv[1]) <= 1e5f)) return false;
+    for (const ObjectMaterial& material : mesh.materials)
+        if (material.look.texture != UINT32_MAX && material.look.texture >= mesh.textures.size()) return false;
+    for (const auto& texture : mesh.textures) {
+        const std::uint32_t w = texture->width, h = texture->height;
+        if (w == 0 || h == 0 || w > UINT16_MAX || h > UINT16_MAX || texture->level_count != accel::level_count(w, h) ||
+            texture->texels.size() != accel::texel_count(w, h))
+            return false;
+    }
     for (const auto& v : mesh.vertices)
         if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2])) return false;
     return true;
@@ -98,8 +110,20 @@ bool read_payload(Reader& reader, LoadedMesh& loaded) {
         return false;
     for (std::uint64_t k = 0; k < materials; ++k) {
         ObjectMaterial material;
-        if (!reader.text(material.name) || !reader.value(material.colour)) return false;
+        accel::InputLook& look = material.look;
+        if (!reader.text(material.name) || !reader.value(material.colour) || !reader.value(look.mirror) ||
+            !reader.value(look.through) || !reader.value(look.texture) || !reader.value(look.texture_from_face))
+            return false;
         mesh.materials.push_back(std::move(material));
+    }
+    std::uint64_t textures = 0;
+    if (!reader.list(mesh.texcoords) || !reader.value(textures)) return false;
+    for (std::uint64_t k = 0; k < textures; ++k) {
+        auto texture = std::make_shared<accel::InputTexture>();
+        if (!reader.text(texture->name) || !reader.value(texture->width) || !reader.value(texture->height) ||
+            !reader.value(texture->level_count) || !reader.list(texture->texels))
+            return false;
+        mesh.textures.push_back(std::move(texture));
     }
     return reader.ended();
 }
@@ -122,6 +146,19 @@ std::string mesh_bytes(const CacheKey& key, const LoadedMesh& loaded) {
     for (const ObjectMaterial& material : mesh.materials) {
         writer.text(material.name);
         writer.value(material.colour);
+        writer.value(material.look.mirror);
+        writer.value(material.look.through);
+        writer.value(material.look.texture);
+        writer.value(material.look.texture_from_face);
+    }
+    writer.list(mesh.texcoords);
+    writer.value(static_cast<std::uint64_t>(mesh.textures.size()));
+    for (const auto& texture : mesh.textures) {
+        writer.text(texture->name);
+        writer.value(texture->width);
+        writer.value(texture->height);
+        writer.value(texture->level_count);
+        writer.list(texture->texels);
     }
     Writer whole;
     whole.bytes = magic;

@@ -67,6 +67,8 @@ std::map<std::string, MtlMaterial, std::less<>> read_mtl(std::string_view bytes)
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     std::map<std::string, MtlMaterial, std::less<>> materials;
     MtlMaterial* material = nullptr;
+    double specular = 0;
+    bool reflects = false;
     for (std::size_t at = 0; at < bytes.size();) {
         const std::size_t end = std::min(bytes.find_first_of("\r\n", at), bytes.size());
         std::string_view rest = bytes.substr(at, end - at);
@@ -75,6 +77,8 @@ std::map<std::string, MtlMaterial, std::less<>> read_mtl(std::string_view bytes)
         if (key == "newmtl") {
             material = &materials[plans::to_utf8(rest.substr(0, 200))];
             *material = {};
+            specular = 0;
+            reflects = false;
         } else if (material == nullptr) {
             continue;
         } else if (key == "Kd") {
@@ -85,6 +89,14 @@ std::map<std::string, MtlMaterial, std::less<>> read_mtl(std::string_view bytes)
             if (const auto value = number(word)) material->opacity = std::clamp(*value, 0.0, 1.0);
         } else if (key == "Tr") {
             if (const auto value = number(take_word(rest))) material->opacity = 1 - std::clamp(*value, 0.0, 1.0);
+        } else if (key == "Ks" || key == "illum") {
+            if (key == "illum") {
+                const auto model = number(take_word(rest));
+                reflects = model && (*model == 3 || *model == 5 || *model == 8);
+            } else if (const auto rgb = colour(rest)) {
+                specular = ((*rgb)[0] + (*rgb)[1] + (*rgb)[2]) / 3;
+            }
+            material->mirror = reflects ? specular : 0;
         } else if (key == "map_Kd") {
             material->image = image_name(rest);
         }

@@ -12,6 +12,7 @@ namespace enfilade::modeler {
 struct MtlMaterial {
     std::optional<std::array<double, 3>> diffuse;  ///< Kd as written, in [0, 1]: sRGB (README.md)
     double opacity = 1;                            ///< d, or 1 - Tr
+    double mirror = 0;                             ///< mean of Ks where illum is 3, 5 or 8: reflection without glass
     std::string image;                             ///< map_Kd, without its options; empty: none
 };
 

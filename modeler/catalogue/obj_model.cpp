@@ -3,6 +3,7 @@
 #include "modeler/catalogue/face_triangles.h"
 #include "modeler/catalogue/image_mean.h"
 #include "modeler/catalogue/mtl.h"
+#include "modeler/catalogue/picture.h"
 #include "modeler/catalogue/read_model.h"
 #include "modeler/meshes/mesh_readers.h"
 
@@ -36,43 +37,67 @@ Library read_libraries(const FileTree& files, const std::string& model, const st
 
 class Colours {
 public:
-    Colours(const FileTree& files, const std::string& model, ReadImages images)
-        : files_(files), model_(model), images_(images) {}
+    Colours(const FileTree& files, const std::string& model, ReadImages images, std::uint32_t texture_side,
+            RawMesh& raw)
+        : files_(files), model_(model), images_(images), texture_side_(texture_side), raw_(raw) {}
 
-    /// The colour of a texture, or of the diffuse part where that cannot be had.
-    void paint(RawMaterial& material, const MtlMaterial& found, std::uint32_t& unread) {
+    /// The colour of a texture, or of the diffuse part where that cannot be had; what is mirrored and let through.
+    void paint(RawMaterial& material, const MtlMaterial& found) {
         material.opacity = static_cast<float>(found.opacity);
         if (found.diffuse) material.colour = linear_colour(*found.diffuse);
+        material.look.mirror = static_cast<float>(found.mirror * found.opacity);
+        make_glass(material);
         if (found.image.empty() || images_ == ReadImages::No) return;
-        const auto [at, is_new] = means_.try_emplace(found.image);
+        const auto [at, is_new] = pictures_.try_emplace(found.image);
         if (is_new)
-            if (const auto bytes = files_.read(name_beside(model_, found.image))) at->second = mean_colour(*bytes);
-        if (at->second) material.colour = *at->second;
-        else ++unread;
+            if (const auto bytes = files_.read(name_beside(model_, found.image)))
+                at->second = picture(found.image, *bytes);
+        if (at->second.mean) material.colour = *at->second.mean;
+        else ++raw_.unread_images;
+        material.look.texture = at->second.texture;
     }
 
 private:
+    struct Known {
+        std::optional<std::array<float, 3>> mean;
+        std::uint32_t texture = UINT32_MAX;
+    };
+
+    Known picture(const std::string& name, std::string_view bytes) {
+        Known known{mean_colour(bytes), UINT32_MAX};
+        if (!known.mean || texture_side_ == 0) return known;
+        if (auto texture = read_texture(name, bytes, texture_side_)) {
+            known.texture = static_cast<std::uint32_t>(raw_.textures.size());
+            raw_.textures.push_back(std::move(texture));
+        }
+        return known;
+    }
+
     const FileTree& files_;
     const std::string& model_;
     ReadImages images_;
-    std::map<std::string, std::optional<std::array<float, 3>>> means_;
+    std::uint32_t texture_side_;
+    RawMesh& raw_;
+    std::map<std::string, Known> pictures_;
 };
 
 }  // namespace
 
-RawMesh read_obj_model(const FileTree& files, const std::string& name, std::string_view bytes, ReadImages images) {
+RawMesh read_obj_model(const FileTree& files, const std::string& name, std::string_view bytes, ReadImages images,
+                       std::uint32_t texture_side) {
     const Mesh mesh = read_obj(bytes, name, true);
     RawMesh raw = triangulated(mesh);
     const Library library = read_libraries(files, name, mesh.material_files, raw.lacks_materials);
-    Colours colours(files, name, images);
+    Colours colours(files, name, images, texture_side, raw);
     for (RawMaterial& material : raw.materials) {
         if (const auto found = library.find(material.name); found != library.end()) {
-            colours.paint(material, found->second, raw.unread_images);
+            colours.paint(material, found->second);
         } else if (!material.name.empty()) {
             raw.lacks_materials = true;
             if (const auto colour = colour_of_name(material.name)) material.colour = linear_colour(*colour);
         }
     }
+    drop_unused_texcoords(raw);
     return raw;
 }
 

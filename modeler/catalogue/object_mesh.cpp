@@ -44,6 +44,14 @@ void for_each_run(const std::vector<Value>& sorted, const Visit& visit) {
 
 }  // namespace
 
+bool ObjectMesh::is_like(const ObjectMesh& other) const {
+    const auto same = [](const auto& a, const auto& b) { return *a == *b; };
+    return name == other.name && vertices == other.vertices && triangles == other.triangles &&
+           triangle_materials == other.triangle_materials && materials == other.materials &&
+           texcoords == other.texcoords &&
+           std::equal(textures.begin(), textures.end(), other.textures.begin(), other.textures.end(), same);
+}
+
 MeshDefects defects_of(const ObjectMesh& mesh) {
     MeshDefects defects;
     const std::vector<std::uint32_t> places = vertex_places(mesh.vertices);

@@ -3,14 +3,18 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "accel/scene_input.h"
 
 namespace enfilade::modeler {
 
 struct ObjectMaterial {
     std::string name;
-    std::array<float, 3> colour = {0.8f, 0.8f, 0.8f};  ///< diffuse reflectance, linear RGB
+    std::array<float, 3> colour = {0.8f, 0.8f, 0.8f};  ///< diffuse reflectance, linear RGB; under a texture its mean
+    accel::InputLook look = {};                        ///< its texture is one of ObjectMesh::textures
     friend bool operator==(const ObjectMaterial&, const ObjectMaterial&) = default;
 };
 
@@ -23,7 +27,13 @@ struct ObjectMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> triangle_materials;  ///< [triangle count] into `materials`
     std::vector<ObjectMaterial> materials;
-    friend bool operator==(const ObjectMesh&, const ObjectMesh&) = default;
+    std::vector<std::array<float, 2>> texcoords;  ///< [3 * triangle count] or empty: u to the right, v up, in repeats
+    std::vector<std::shared_ptr<const accel::InputTexture>> textures;
+    friend bool operator==(const ObjectMesh& a, const ObjectMesh& b) { return a.is_like(b); }
+
+private:
+    /// Textures by what they show.
+    [[nodiscard]] bool is_like(const ObjectMesh& other) const;
 };
 
 /// What is wrong with a mesh; none of it keeps it from being traced.

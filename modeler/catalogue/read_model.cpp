@@ -54,20 +54,21 @@ std::string model_within(const FileTree& archive) {
     return {};
 }
 
-RawMesh read_bytes(const FileTree& files, const std::string& name, std::string bytes, ReadImages images, int depth) {
+RawMesh read_bytes(const FileTree& files, const std::string& name, std::string bytes, ReadImages images,
+                   std::uint32_t texture_side, int depth) {
     const std::string extension = extension_of_name(name);
     if (bytes.starts_with("PK\x03\x04")) {
         if (depth == 0) refuse(files, name, "it is an archive within archives within archives.");
         const auto archive = open_archive(std::move(bytes), files.title() + ", " + name);
         const std::string inner = model_within(*archive);
         if (inner.empty()) refuse(files, name, "the archive holds no OBJ, glTF, GLB, PLY, OFF or STL file.");
-        return read_bytes(*archive, inner, archive->read(inner).value(), images, depth - 1);
+        return read_bytes(*archive, inner, archive->read(inner).value(), images, texture_side, depth - 1);
     }
-    if (is_gltf(extension, bytes)) return read_gltf_model(files, name, bytes, images);
+    if (is_gltf(extension, bytes)) return read_gltf_model(files, name, bytes, images, texture_side);
     if (const std::string other = other_format(extension, bytes); !other.empty())
         refuse(files, name, other + " files are not read; save it as OBJ or glTF.");
     if (is_off_ply_or_stl(extension) || bytes.starts_with("ply")) return read_polygons(name, bytes);
-    return read_obj_model(files, name, bytes, images);
+    return read_obj_model(files, name, bytes, images, texture_side);
 }
 
 std::string why_empty(const RawMesh& mesh) {
@@ -85,12 +86,12 @@ bool has_model_extension(std::string_view name) {
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-RawMesh read_model(const FileTree& files, const std::string& name, ReadImages images) {
+RawMesh read_model(const FileTree& files, const std::string& name, ReadImages images, std::uint32_t texture_side) {
     auto bytes = files.read(name);
     if (!bytes) refuse(files, name, files.why_absent(name));
     RawMesh mesh;
     try {
-        mesh = read_bytes(files, name, std::move(*bytes), images, 2);
+        mesh = read_bytes(files, name, std::move(*bytes), images, texture_side, 2);
     } catch (const InputError& error) {
         if (error.code.starts_with('K')) throw;
         throw InputError("K107", files.title(), error.line, error.column,

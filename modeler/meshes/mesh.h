@@ -51,6 +51,8 @@ struct Mesh {
     std::vector<std::array<double, 3>> points;    ///< in the units of the file
     std::vector<std::uint32_t> ring_first = {0};  ///< [face + 1] into `ring`
     std::vector<std::uint32_t> ring;              ///< into `points`, as written (from 0)
+    std::vector<std::array<float, 2>> texcoords;  ///< OBJ alone, where it is read tolerantly: u, v
+    std::vector<std::uint32_t> ring_texcoord;     ///< [ring] into `texcoords`, or beyond; empty: no face has any
     std::vector<MeshHole> holes;                  ///< ascending by face
     std::vector<std::uint32_t> hole_ring;         ///< into `points`
     std::vector<MeshShell> shells;                ///< CityJSON alone, in the order of the faces

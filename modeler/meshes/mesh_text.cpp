@@ -102,12 +102,16 @@ std::int64_t MeshText::integer() {
     return value;
 }
 
-std::int64_t MeshText::integer_before(char stop) {
+std::int64_t MeshText::integer_before(char stop, std::string_view* behind) {
     const std::string_view text = word();
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || (end != text.data() + text.size() && *end != stop))
         fail("P802", "A vertex number is expected here, but " + in_quotes(text) + " stands here.");
+    if (behind != nullptr) {
+        const auto read = static_cast<std::size_t>(end - text.data());
+        *behind = text.substr(std::min(read + 1, text.size()));
+    }
     return value;
 }
 

@@ -48,7 +48,7 @@ public:
     /// Throws P802 for what is no whole number.
     std::int64_t integer();
     /// The whole number at the front of a token, which ends at a blank or at `stop`.
-    std::int64_t integer_before(char stop);
+    std::int64_t integer_before(char stop, std::string_view* behind = nullptr);
 
     /// Throws InputError with the line of the token read last.
     [[noreturn]] void fail(const char* code, const std::string& sentence) const;

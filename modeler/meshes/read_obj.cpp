@@ -1,3 +1,5 @@
+#include <charconv>
+
 #include "modeler/meshes/mesh_readers.h"
 #include "modeler/meshes/mesh_text.h"
 
@@ -17,6 +19,7 @@ public:
         while (text_.next()) {
             const std::string_view key = text_.word();
             if (key == "v") read_vertex();
+            else if (key == "vt" && text_.is_tolerant()) read_texcoord();
             else if (key == "f" || key == "fo") read_face();
             else if (key == "o" || key == "g") read_name(key == "o");
             else if (key == "usemtl") add_group(mesh_.materials, rest());
@@ -38,10 +41,30 @@ private:
         mesh_.points.push_back(point);
     }
 
+    void read_texcoord() {
+        std::array<float, 2> at = {0, 0};
+        for (float& x : at)
+            if (text_.next_in_line()) x = static_cast<float>(text_.coordinate());
+        mesh_.texcoords.push_back(at);
+    }
+
+    /// behind: of a corner `v/vt/vn`, what follows the first slash.
+    void add_texcoord(std::string_view behind) {
+        std::int64_t written = 0;
+        std::from_chars(behind.data(), behind.data() + behind.size(), written);
+        if (written == 0 && mesh_.ring_texcoord.empty()) return;
+        const std::int64_t named =
+            written > 0 ? written - 1 : static_cast<std::int64_t>(mesh_.texcoords.size()) + written;
+        const bool can_exist = written != 0 && named >= 0 && named < absent_vertex;
+        mesh_.ring_texcoord.resize(mesh_.ring.size() - 1, UINT32_MAX);
+        mesh_.ring_texcoord.push_back(can_exist ? static_cast<std::uint32_t>(named) : UINT32_MAX);
+    }
+
     void read_face() {
         while (text_.next_in_line()) {
             const std::size_t at = text_.position();
-            const std::int64_t written = text_.integer_before('/');
+            std::string_view behind;
+            const std::int64_t written = text_.integer_before('/', &behind);
             const auto count = static_cast<std::int64_t>(mesh_.points.size());
             if (written == 0 && !text_.is_tolerant())
                 text_.fail("P804", "Vertices of an OBJ file are counted from 1; vertex 0 does not exist.");
@@ -54,6 +77,7 @@ private:
             const std::int64_t vertex = can_exist ? named : absent_vertex;
             if (vertex > highest_) highest_ = vertex, highest_at_ = at;
             mesh_.ring.push_back(static_cast<std::uint32_t>(vertex));
+            if (!mesh_.texcoords.empty()) add_texcoord(behind);
         }
         if (mesh_.ring.size() > max_corners) text_.fail("P800", "The faces of this mesh have more than 2^30 corners.");
         mesh_.end_face();
@@ -88,6 +112,7 @@ private:
     }
 
     void finish() {
+        if (!mesh_.ring_texcoord.empty()) mesh_.ring_texcoord.resize(mesh_.ring.size(), UINT32_MAX);
         if (highest_ >= static_cast<std::int64_t>(mesh_.points.size()) && !text_.is_tolerant())
             fail_range(highest_at_, highest_ + 1);
         if (passed_over_ == 0) return;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "accel/texture_chain.h"
 #include "base/error.h"
 
 namespace enfilade::modeler {
@@ -60,7 +61,43 @@ FurnishedObject object_from(const Json& json) {
     return object;
 }
 
-std::shared_ptr<const ObjectMesh> mesh_from(const accel::SceneView& scene, const accel::ObjectMesh& from) {
+using Textures = std::vector<std::shared_ptr<const accel::InputTexture>>;
+
+/// The scene's textures, as they were given.
+Textures textures_of(const accel::SceneView& scene) {
+    Textures textures;
+    for (const accel::Texture& from : scene.textures) {
+        auto texture = std::make_shared<accel::InputTexture>();
+        texture->name = scene.string(from.name);
+        texture->width = from.width;
+        texture->height = from.height;
+        texture->level_count = from.level_count;
+        const std::uint64_t end = from.first_texel + accel::texel_count(from.width, from.height);
+        for (std::uint64_t t = from.first_texel; t < end; ++t)
+            texture->texels.push_back({scene.texels[t].r, scene.texels[t].g, scene.texels[t].b, scene.texels[t].a});
+        textures.push_back(std::move(texture));
+    }
+    return textures;
+}
+
+/// A material of the scene as one of a mesh, whose textures it adds.
+ObjectMaterial material_from(const accel::SceneView& scene, accel::MaterialId id, const Textures& textures,
+                             ObjectMesh& mesh) {
+    const accel::Material& from = scene.materials[index(id)];
+    ObjectMaterial material{std::string(scene.string(from.name)), from.colour};
+    if (!scene.has_looks()) return material;
+    const accel::MaterialLook& look = scene.material_looks[index(id)];
+    material.look = {look.mirror, look.through, UINT32_MAX, look.texture_from_face};
+    if (look.texture == none<accel::TextureId>) return material;
+    const auto& texture = textures[index(look.texture)];
+    const auto at = std::find(mesh.textures.begin(), mesh.textures.end(), texture);
+    material.look.texture = std::uint32_t(at - mesh.textures.begin());
+    if (at == mesh.textures.end()) mesh.textures.push_back(texture);
+    return material;
+}
+
+std::shared_ptr<const ObjectMesh> mesh_from(const accel::SceneView& scene, const accel::ObjectMesh& from,
+                                            const Textures& textures) {
     auto mesh = std::make_shared<ObjectMesh>();
     mesh->name = scene.string(from.name);
     mesh->vertices.reserve(from.vertex_count);
@@ -74,11 +111,14 @@ std::shared_ptr<const ObjectMesh> mesh_from(const accel::SceneView& scene, const
         std::uint32_t& number = own[index(triangle.material)];
         if (number == UINT32_MAX) {
             number = std::uint32_t(mesh->materials.size());
-            const accel::Material& material = scene.materials[index(triangle.material)];
-            mesh->materials.push_back({std::string(scene.string(material.name)), material.colour});
+            mesh->materials.push_back(material_from(scene, triangle.material, textures, *mesh));
         }
         mesh->triangles.push_back(triangle.corners);
         mesh->triangle_materials.push_back(number);
+    }
+    for (std::uint32_t k = 0; from.texcoords != 0 && k < 3 * from.triangle_count; ++k) {
+        const accel::TexCoord& at = scene.mesh_texcoords[from.texcoords - 1 + k];
+        mesh->texcoords.push_back({at.u, at.v});
     }
     return mesh;
 }
@@ -106,7 +146,8 @@ Furnishing read_furnishing(const std::string& text, const accel::SceneView& scen
         if (object.mesh >= scene.meshes.size() || object.space >= spaces.size())
             damaged("an object of no mesh or no room");
     }
-    for (const accel::ObjectMesh& mesh : scene.meshes) furnishing.meshes.push_back(mesh_from(scene, mesh));
+    const Textures textures = textures_of(scene);
+    for (const accel::ObjectMesh& mesh : scene.meshes) furnishing.meshes.push_back(mesh_from(scene, mesh, textures));
     return furnishing;
 }
 

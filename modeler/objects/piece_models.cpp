@@ -78,6 +78,7 @@ std::uint32_t PieceModels::loaded(const CatalogueEntry& entry, const Overrides& 
         for (const auto& [name, colour] : overrides)
             if (material.name == name) {
                 material.colour = colour;
+                material.look.texture = UINT32_MAX;
                 material.name += " (" + std::to_string(int(std::lround(255 * colour[0]))) + ", " +
                                  std::to_string(int(std::lround(255 * colour[1]))) + ", " +
                                  std::to_string(int(std::lround(255 * colour[2]))) + ")";

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "modeler/objects/object_cells.h"
@@ -11,23 +12,38 @@
 namespace enfilade::modeler {
 namespace {
 
-/// Materials of a scene, those of walls first, equal ones once.
+using Textures = std::vector<std::shared_ptr<const accel::InputTexture>>;
+
+/// Materials and textures of a scene, those of walls first, equal ones once.
 class SceneMaterials {
 public:
-    explicit SceneMaterials(std::vector<accel::InputMaterial>& materials) : materials_(materials) {
-        for (std::uint32_t m = 0; m < materials.size(); ++m)
-            known_.emplace(std::pair(materials[m].name, materials[m].colour), m);
+    explicit SceneMaterials(accel::SceneInput& input) : materials_(input.materials), textures_(input.textures) {
+        for (std::uint32_t m = 0; m < materials_.size(); ++m) known_.emplace(key_of(materials_[m]), m);
     }
 
-    std::uint32_t of(const std::string& name, const std::array<float, 3>& colour) {
-        const auto [at, is_new] = known_.try_emplace({name, colour}, std::uint32_t(materials_.size()));
-        if (is_new) materials_.push_back({name, colour});
+    /// textures: those that the material's look may name.
+    std::uint32_t of(const ObjectMaterial& from, const Textures& textures) {
+        accel::InputMaterial material{from.name, from.colour, from.look};
+        if (from.look.texture != UINT32_MAX) material.look.texture = number_of(textures[from.look.texture]);
+        const auto [at, is_new] = known_.try_emplace(key_of(material), std::uint32_t(materials_.size()));
+        if (is_new) materials_.push_back(std::move(material));
         return at->second;
     }
 
 private:
+    using Key = std::tuple<std::string, std::array<float, 3>, accel::InputLook>;
+    static Key key_of(const accel::InputMaterial& m) { return {m.name, m.colour, m.look}; }
+
+    std::uint32_t number_of(const Textures::value_type& texture) {
+        for (std::uint32_t t = 0; t < textures_.size(); ++t)
+            if (textures_[t] == texture || *textures_[t] == *texture) return t;
+        textures_.push_back(texture);
+        return std::uint32_t(textures_.size() - 1);
+    }
+
     std::vector<accel::InputMaterial>& materials_;
-    std::map<std::pair<std::string, std::array<float, 3>>, std::uint32_t> known_;
+    Textures& textures_;
+    std::map<Key, std::uint32_t> known_;
 };
 
 /// Materials get their numbers in the order in which triangles use them: so it is again when they are read back.
@@ -36,10 +52,11 @@ std::shared_ptr<const accel::InputMesh> scene_mesh(const ObjectMesh& mesh, Scene
     result->name = mesh.name;
     result->vertices = mesh.vertices;
     result->triangles = mesh.triangles;
+    result->texcoords = mesh.texcoords;
     std::vector<std::uint32_t> numbers(mesh.materials.size(), UINT32_MAX);
     result->triangle_materials.reserve(mesh.triangle_materials.size());
     for (const std::uint32_t m : mesh.triangle_materials) {
-        if (numbers[m] == UINT32_MAX) numbers[m] = materials.of(mesh.materials[m].name, mesh.materials[m].colour);
+        if (numbers[m] == UINT32_MAX) numbers[m] = materials.of(mesh.materials[m], mesh.textures);
         result->triangle_materials.push_back(numbers[m]);
     }
     return result;
@@ -80,7 +97,7 @@ std::map<std::string, std::uint32_t, std::less<>> object_spaces(const Building& 
 void add_objects(const Building& building, accel::SceneInput& input) {
     const Furnishing& furnishing = building.furnishing;
     if (furnishing.empty()) return;
-    SceneMaterials materials(input.materials);
+    SceneMaterials materials(input);
     for (const auto& mesh : furnishing.meshes) input.meshes.push_back(scene_mesh(*mesh, materials));
     const ObjectCellFinder finder(input, building.frame);
     const auto volumes = object_spaces(building);
@@ -92,7 +109,7 @@ void add_objects(const Building& building, accel::SceneInput& input) {
         object.id = from.id;
         object.name = from.name;
         object.mesh = from.mesh;
-        if (from.colour) object.material = materials.of(colour_name(*from.colour), *from.colour);
+        if (from.colour) object.material = materials.of({colour_name(*from.colour), *from.colour}, {});
         const auto own = from.volume.empty() ? volumes.end() : volumes.find(from.volume);
         object.space = own == volumes.end() ? from.space : own->second;
         object.scene_from_object = plan_from_mesh(from, boxes.of(from));

@@ -8,6 +8,8 @@ namespace enfilade::modeler::own {
 struct Paint {
     const char* name;
     std::array<float, 3> colour;
+    float mirror = 0;   ///< share of the light that goes on as from a mirror
+    float through = 0;  ///< and straight through
 };
 
 // Woods.
@@ -35,8 +37,8 @@ inline constexpr Paint chrome{"chrome", {0.64f, 0.65f, 0.66f}};
 inline constexpr Paint brass{"brass", {0.56f, 0.40f, 0.16f}};
 inline constexpr Paint copper{"copper", {0.52f, 0.25f, 0.15f}};
 inline constexpr Paint iron{"black iron", {0.04f, 0.04f, 0.042f}};
-inline constexpr Paint glass{"frosted glass", {0.60f, 0.68f, 0.69f}};
-inline constexpr Paint mirror_glass{"mirror glass", {0.66f, 0.72f, 0.75f}};
+inline constexpr Paint glass{"frosted glass", {0.60f, 0.68f, 0.69f}, 0, 0.55f};
+inline constexpr Paint mirror_glass{"mirror glass", {0.66f, 0.72f, 0.75f}, 0.9f};
 inline constexpr Paint screen{"screen", {0.015f, 0.02f, 0.028f}};
 inline constexpr Paint glow{"lamp glass", {0.90f, 0.86f, 0.75f}};
 inline constexpr Paint shade_cloth{"lamp shade", {0.80f, 0.73f, 0.60f}};

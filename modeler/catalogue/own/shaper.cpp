@@ -52,7 +52,12 @@ int Shaper::fine(int plain) const { return static_cast<int>(std::lround(plain * 
 std::uint32_t Shaper::material_of(const Paint& paint) {
     const auto found = std::ranges::find(materials_, paint.name, &ObjectMaterial::name);
     if (found == materials_.end()) {
-        materials_.push_back({paint.name, paint.colour});
+        const auto& c = paint.colour;
+        const float most = std::max({c[0], c[1], c[2]});
+        ObjectMaterial material{paint.name, c};
+        material.look.mirror = paint.mirror;
+        for (std::size_t k = 0; k < 3; ++k) material.look.through[k] = paint.through * c[k] / most;
+        materials_.push_back(std::move(material));
         return static_cast<std::uint32_t>(materials_.size() - 1);
     }
     return static_cast<std::uint32_t>(found - materials_.begin());
