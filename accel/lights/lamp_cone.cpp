@@ -100,17 +100,6 @@ void LampCones::add_ends(const ConeVector& outward) {
     }
 }
 
-ConePlanes LampCones::behind_in_vain(const ConePlanes& cone, std::span<const ConeVector> portal) {
-    begin_with(portal);
-    ConePlanes next = {static_cast<std::uint32_t>(planes_.size()), 0};
-    for (std::uint32_t k = cone.first; k < cone.first + cone.count; ++k) planes_.push_back(ConeVector(planes_[k]));
-    for (std::size_t i = 0; i < portal.size(); ++i)
-        if (const auto plane = plane_of(portal[i], portal[i + 1 == portal.size() ? 0 : i + 1]))
-            planes_.push_back(*plane);
-    next.count = static_cast<std::uint32_t>(planes_.size()) - next.first;
-    return next;
-}
-
 bool LampCones::is_last_within(const ConePlanes& other) const {
     const double least = slack_ * (1 - 1e-9);
     return std::ranges::all_of(planes(other), [&](const ConeVector& plane) {
@@ -118,9 +107,10 @@ bool LampCones::is_last_within(const ConePlanes& other) const {
     });
 }
 
-ConePlanes LampCones::add(const ConeVector& normal) {
+ConePlanes LampCones::nothing_beside(const ConeVector& normal) {
     planes_.push_back(normal);
-    return {static_cast<std::uint32_t>(planes_.size() - 1), 1};
+    planes_.push_back(-1.0 * normal);
+    return {static_cast<std::uint32_t>(planes_.size() - 2), 2};
 }
 
 }  // namespace enfilade::accel::detail

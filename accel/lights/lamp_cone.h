@@ -53,11 +53,10 @@ public:
     /// Whether the last call of `behind` has found a portal whose plane holds the lamp, and the lamp beside it: it is
     /// crossed by lines along that plane alone.
     [[nodiscard]] bool is_last_edge_on() const { return is_last_edge_on_; }
-    /// Both the cone's planes and the portal's, where `behind` has found that they have no line in common.
-    ConePlanes behind_in_vain(const ConePlanes& cone, std::span<const ConeVector> portal);
     /// Whether another cone holds all lines that the last call of `behind` has found.
     [[nodiscard]] bool is_last_within(const ConePlanes& other) const;
-    ConePlanes add(const ConeVector& normal);
+    /// What holds no place but those of one plane: that through the lamp, square to the normal.
+    ConePlanes nothing_beside(const ConeVector& normal);
 
 private:
     struct Vertex {

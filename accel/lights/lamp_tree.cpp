@@ -53,7 +53,7 @@ LampTree LampTreeBuilder::build(const Light& light) {
     if (light.cell == none<CellId>) return tree;
     const double radius = options_.balls ? double{light.radius} : 0;
     const bool is_followed = walk_.follow(light.cell, light.position, radius);
-    if (is_followed && options_.trees && add_beams(tree)) return tree;
+    if (is_followed && options_.trees && radius == 0 && add_beams(tree)) return tree;
     tree = {};
     if (is_followed) {
         tree.cells = cells_of_steps();

@@ -112,14 +112,12 @@ void LampWalk::enter(std::uint32_t number, PortalId portal, Target target, const
 
 ConePlanes LampWalk::light_behind(const LampStep& step, const ConeVector& outward, double before, bool& is_dark) {
     if (step.is_dark) return step.light;
-    if (before >= -light_.slack())
-        if (const std::optional<ConePlanes> light = light_.behind(step.light, portal_, outward)) {
-            is_dark = light_.is_last_edge_on();
-            return *light;
-        }
+    if (before >= -light_.slack()) {
+        const std::optional<ConePlanes> light = light_.behind(step.light, portal_, outward);
+        if (light && !light_.is_last_edge_on()) return *light;
+    }
     is_dark = true;
-    if (before < -light_.slack()) return light_.add(-1.0 * outward);
-    return light_.behind_in_vain(step.light, portal_);
+    return light_.nothing_beside(outward);
 }
 
 void LampWalk::light_in_cell(const LampStep& step, std::vector<ConeVector>& planes) const {

@@ -127,7 +127,7 @@ LightTrees build_light_trees(const SceneView& view, const LightTreeOptions& opti
                         all.planes_.begin() + all.beams_[numbers[i][b]].first_plane);
     for (std::size_t i = 0; i < trees.size(); ++i) {
         all.figures_.in_solids += view.lights[i].cell == none<CellId> ? 1 : 0;
-        all.figures_.without_tree += options.trees && !trees[i].cells.empty() ? 1 : 0;
+        all.figures_.without_tree += trees[i].cells.empty() ? 0 : 1;
     }
     all.figures_.lamps = trees.size();
     if (options.objects && options.trees && view.has_objects())

@@ -92,7 +92,7 @@ struct LightTreeOptions {
     bool objects = true;  ///< which objects can stand in each beam; nothing where the scene has none
     /// Grid units by which light may miss a portal's edge and still be followed; nothing: what a walk in float may.
     std::optional<std::int64_t> margin = std::nullopt;
-    /// The lists are those of balls as large as the lamps' radii; the trees stay those of their centres.
+    /// Lamps with a radius are balls: cells list them where any of the ball is seen, and they have no tree.
     bool balls = false;
     /// Lamps whose light takes more ways than this have no tree.
     std::uint32_t most_beams = 1u << 16;
@@ -104,7 +104,7 @@ struct LightTreeOptions {
 struct LightTreeFigures {
     std::size_t lamps = 0;
     std::size_t in_solids = 0;     ///< lamps that light nothing
-    std::size_t without_tree = 0;  ///< lamps whose light takes too many ways
+    std::size_t without_tree = 0;  ///< lamps of which cells say no more than that they may see them
     std::size_t beams = 0;         ///< one for each portal that a lamp's light crosses, and one for the lamp
     std::size_t planes = 0;
     std::size_t objects = 0;       ///< in the lists of beams
