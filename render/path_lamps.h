@@ -28,9 +28,12 @@ public:
     PathLamps(const accel::SceneView& scene, const detail::PathLight& light, const Rooms& rooms, Events& events)
         : scene_(scene), light_(light), lamps_(*light.lamps), rooms_(rooms), events_(events) {}
 
-    /// Lux by linear RGB at the place, unbiased. bounce: how many lie before it on the path
+    /// Lux by linear RGB at the place, unbiased. bounce: how many lie before it on the path. object: on which the place
+    /// lies, or no_object. A lamp's light goes through what carries it, so that sends none of it on: it only shows it.
     template <class T>
-    [[nodiscard]] Vec3f at(const LitPlace<T>& place, const PathSampler& sampler, std::uint32_t bounce) {
+    [[nodiscard]] Vec3f at(const LitPlace<T>& place, std::uint32_t object, const PathSampler& sampler,
+                           std::uint32_t bounce) {
+        dark_carrier_ = bounce > 0 ? object : no_object;
         if (light_.lamps_a_bounce > 0) return of_some(place, sampler, bounce);
         Vec3f sum = {0, 0, 0};
         for (std::uint32_t k = first(place.cell), end = last(place.cell); k < end;) {
@@ -60,6 +63,11 @@ private:
         return k;
     }
 
+    [[nodiscard]] bool shines(const accel::Light& light) const {
+        return static_cast<std::uint32_t>(light.cell) != no_cell &&
+               (dark_carrier_ == no_object || static_cast<std::uint32_t>(light.carrier) != dark_carrier_);
+    }
+
     template <class T>
     [[nodiscard]] static Vec3f way_from(const accel::Light& light, const LitPlace<T>& place) {
         return vec_cast<float>(place.point) - Vec3f{light.position[0], light.position[1], light.position[2]};
@@ -68,7 +76,7 @@ private:
     template <class T>
     [[nodiscard]] float weight(const LitPlace<T>& place, std::uint32_t k) const {
         const accel::Light& light = scene_.lights[lamp_of(k)];
-        if (static_cast<std::uint32_t>(light.cell) == no_cell) return 0;
+        if (!shines(light)) return 0;
         const Vec3f most = most_illuminance(light, way_from(light, place), place.normal);
         return most.x + most.y + most.z;
     }
@@ -105,24 +113,11 @@ private:
                  std::uint32_t bounce) {
         const std::uint32_t lamp = lamp_of(k);
         const accel::Light& light = scene_.lights[lamp];
-        if (static_cast<std::uint32_t>(light.cell) == no_cell) return {0, 0, 0};
+        if (!shines(light)) return {0, 0, 0};
         const Vec3f way = way_from(light, place);
         if (light.radius > 0) return of_ball(place, lamp, way, sampler.pair(path_use_of_lamp(bounce, lamp)));
-        const Vec3f here = illuminance(light, way, place.normal);
-        if (largest_part(here) == 0) return {0, 0, 0};
-        if (lamps_.search != LampSearch::Tree || lamps_.trees.cell_lights[k].beam == accel::no_beam)
-            return walked(place, lamp, {light.position[0], light.position[1], light.position[2]},
-                          static_cast<std::uint32_t>(light.cell), here);
-        for (; k < end; ++k) {
-            const std::uint32_t beam = lamps_.trees.cell_lights[k].beam;
-            if (!holds(lamps_.trees, beam, way)) continue;
-            if constexpr (Rooms::are_furnished)
-                return walked(place, lamp, {light.position[0], light.position[1], light.position[2]},
-                              static_cast<std::uint32_t>(light.cell), here);
-            const accel::Vertex& tint = lamps_.trees.tints[lamps_.trees.beams[beam].tint];
-            return Vec3f{tint.x, tint.y, tint.z} * here;
-        }
-        return {0, 0, 0};
+        LampLight<Rooms, Events> points(scene_, lamps_, rooms_, events_);
+        return is_naive() ? points.of_lamp(place, lamp, 0, 0) : points.of_lamp(place, lamp, k, end);
     }
 
     /// A ball of even radiance: a place on it, drawn evenly from the cone in which it is seen.
@@ -135,7 +130,7 @@ private:
             const float towards = -dot(way, place.normal);
             if (!(towards > 0)) return {0, 0, 0};
             const float share = towards / (root(d2) * r2);
-            return walked(place, lamp, point - way, static_cast<std::uint32_t>(light.cell),
+            return walked(place, light, point - way, static_cast<std::uint32_t>(light.cell),
                           {share * light.intensity[0], share * light.intensity[1], share * light.intensity[2]});
         }
         const float d = root(d2), flat = root(1 - r2 / d2);
@@ -145,16 +140,16 @@ private:
         const float share = 2 * cosine / (d2 * (1 + flat));  // radiance I / (pi r2), solid angle 2 pi (1 - flat)
         const float along = -dot(way, towards), depth2 = r2 - (d2 - along * along);
         const float far = along - root(depth2 > 0 ? depth2 : 0.0f);
-        return walked(place, lamp, point + far * towards, light_.ball_cells[lamp],
+        return walked(place, light, point + far * towards, light_.ball_cells[lamp],
                       {share * light.intensity[0], share * light.intensity[1], share * light.intensity[2]});
     }
 
-    /// `here` as far as it gets from `to`, which lies in `to_cell` (no_cell: not known).
+    /// `here` as far as it gets from `to` on the ball, which lies in `to_cell` (no_cell: not known).
     template <class T>
-    Vec3f walked(const LitPlace<T>& place, std::uint32_t, Vec3f to, std::uint32_t to_cell, Vec3f here) {
+    Vec3f walked(const LitPlace<T>& place, const accel::Light& light, Vec3f to, std::uint32_t to_cell, Vec3f here) {
         Vec3f throughput = {1, 1, 1};
-        const bool seen =
-            sees_through(scene_, rooms_, vec_cast<float>(place.point), to, place.cell, to_cell, throughput, events_);
+        const bool seen = sees_through(scene_, rooms_, place.point, vec_cast<T>(to), place.cell, to_cell, throughput,
+                                       events_, static_cast<std::uint32_t>(light.carrier));
         return seen ? throughput * here : Vec3f{0, 0, 0};
     }
 
@@ -163,6 +158,7 @@ private:
     const Lamps& lamps_;
     const Rooms& rooms_;
     Events& events_;
+    std::uint32_t dark_carrier_ = no_object;  ///< none of whose lamps shine
 };
 
 }  // namespace

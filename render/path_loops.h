@@ -23,51 +23,101 @@ public:
     PathFollower(const accel::SceneView& scene, const detail::PathLight& light, const Rooms& rooms, Events& events)
         : scene_(scene), light_(light), rooms_(rooms), events_(events) {}
 
-    /// The radiance that comes back along a ray from `cell`.
+    /// The radiance that comes back along a ray from `cell`. spread: of its pixel, metres a unit of its parameter
     template <class T>
-    [[nodiscard]] Vec3f along(const Ray<T>& ray, std::uint32_t cell, const PathSampler& sampler) {
-        return followed(ray, cell, {1, 1, 1}, 0, sampler);
+    [[nodiscard]] Vec3f along(const Ray<T>& ray, std::uint32_t cell, float spread, const PathSampler& sampler) {
+        return followed(Going<T>{ray, cell, T(0), 0, spread, T(0)}, {1, 1, 1}, 0, sampler);
     }
 
     /// The radiance of a white surface at a place.
     template <class T>
     [[nodiscard]] Vec3f at(const LitPlace<T>& place, const PathSampler& sampler) {
-        const Vec3f direct = lit(place, sampler, 0);
+        const Vec3f direct = lit(place, no_object, sampler, 0);
         if (light_.most_bounces == 0) return direct;
-        return direct + followed(bounced(place, sampler, 0), place.cell, {1, 1, 1}, 1, sampler);
+        return direct + followed(bounced(place, sampler, 0), {1, 1, 1}, 1, sampler);
     }
 
 private:
+    /// Where a path is, and how wide the beam is that it stands for: textures are blurred by that (surface.h).
     template <class T>
-    struct Met {
-        LitPlace<T> place;
-        Vec3f colour;
+    struct Going {
+        Ray<T> ray;
+        std::uint32_t cell;
+        T first;       ///< the parameter from which objects count
+        float width;   ///< metres, where the ray starts to count
+        float spread;  ///< by which that grows, a unit of its parameter
+        T counted;     ///< the parameter where it starts to count
     };
 
     template <class T>
-    Vec3f followed(Ray<T> ray, std::uint32_t cell, Vec3f throughput, std::uint32_t bounce, const PathSampler& sampler) {
+    struct Met {
+        LitPlace<T> place;
+        Surfacing surfacing;
+        std::uint32_t object = no_object;
+    };
+
+    template <class T>
+    Vec3f followed(Going<T> way, Vec3f throughput, std::uint32_t bounce, const PathSampler& sampler) {
         Vec3f sum = {0, 0, 0};
-        T first = 0;
         for (;; ++bounce) {
-            const Sight<T> sight = rooms_.look_along(scene_, ray, cell, NoLimit{}, throughput, events_, first);
-            if (sees_sky(sight.end))
-                return sum + clamped(throughput * sky_colour(light_.look, vec_cast<float>(ray.direction)), bounce);
-            if (sight.end.status != WalkStatus::Hit && sight.end.status != WalkStatus::Object) return sum;
-            const Pair choice = sampler.pair(path_use(bounce, PathUse::Choice));
-            cell = sight.end.cell;
-            if (choice.v < light_.mirror_floor && is_mirror_hit(scene_, sight.end) && bounce < light_.most_bounces) {
-                first = parameter(scene_, ray, sight);
-                ray = mirrored(ray, T(scene_.cells[cell].z_floor));
-                continue;
+            const Sight<T> sight =
+                rooms_.look_along(scene_, way.ray, way.cell, NoLimit{}, throughput, events_, way.first);
+            if (sees_sky(sight.end)) {
+                const Vec3f sky = sky_colour(light_.look, vec_cast<float>(way.ray.direction));
+                return sum + clamped(throughput * sky, bounce);
             }
-            const Met<T> met = what_is_met(ray, sight);
-            throughput = throughput * met.colour;
+            if (sight.end.status != WalkStatus::Hit && sight.end.status != WalkStatus::Object) return sum;
+            const T t = parameter(scene_, way.ray, sight);
+            way.width += way.spread * static_cast<float>(t - way.counted);
+            const Met<T> met = what_is_met(way, sight);
+            const Pair choice = sampler.pair(path_use(bounce, PathUse::Choice));
+            way.cell = sight.end.cell;
+            if (bounce < light_.most_bounces && goes_straight(met, sight, t, choice.v, way, throughput)) continue;
+            throughput = throughput * met.surfacing.colour;
             if (largest_part(throughput) == 0) return sum;
-            sum = sum + clamped(throughput * lit(met.place, sampler, bounce), bounce);
+            sum = sum + clamped(throughput * lit(met.place, met.object, sampler, bounce), bounce);
             if (bounce >= light_.most_bounces || !goes_on(bounce, choice.u, throughput)) return sum;
-            ray = bounced(met.place, sampler, bounce);
-            first = 0;
+            way = bounced(met.place, sampler, bounce);
         }
+    }
+
+    /// At mirrors and glass, one of the ways on is drawn: true where it is that of a mirror or straight on, else it is
+    /// the diffuse one. draw: in [0, 1)
+    template <class T>
+    bool goes_straight(const Met<T>& met, const Sight<T>& sight, T t, float draw, Going<T>& way,
+                       Vec3f& throughput) const {
+        float mirror = met.surfacing.mirror;
+        const float through = largest_part(met.surfacing.through);
+        float diffuse = met.surfacing.diffuse;
+        if (light_.mirror_floor > 0 && is_mirror_hit(scene_, sight.end)) {
+            mirror = light_.mirror_floor;
+            diffuse = 1 - mirror;
+        }
+        if (draw < mirror) {
+            reflect(met.place, sight, t, way);
+            return true;
+        }
+        if (draw < mirror + through) {
+            throughput = (1 / through) * (throughput * met.surfacing.through);
+            const T step = T(0x1p-18f) * (largest_part(way.ray.origin) + largest_part(t * way.ray.direction));
+            way.first = way.counted = t + (step + T(0x1p-16f)) / length(way.ray.direction);
+            return true;
+        }
+        const float chance = 1 - mirror - through;
+        throughput = (chance > 0 ? diffuse / chance : 0.0f) * throughput;
+        return false;
+    }
+
+    template <class T>
+    void reflect(const LitPlace<T>& place, const Sight<T>& sight, T t, Going<T>& way) const {
+        if (is_mirror_hit(scene_, sight.end)) {  // keeps the ray's line on the plan
+            way.ray = mirrored(way.ray, T(scene_.cells[way.cell].z_floor));
+            way.first = way.counted = t;
+            return;
+        }
+        const Vec<T> n = vec_cast<T>(place.normal);
+        way.ray = make_ray_unchecked(place.point, way.ray.direction - T(2) * dot(n, way.ray.direction) * n);
+        way.first = way.counted = 0;
     }
 
     template <class T>
@@ -76,22 +126,25 @@ private:
     }
 
     template <class T>
-    [[nodiscard]] Met<T> what_is_met(const Ray<T>& ray, const Sight<T>& sight) const {
+    [[nodiscard]] Met<T> what_is_met(const Going<T>& way, const Sight<T>& sight) const {
         if constexpr (Rooms::are_furnished) {
             if (sight.end.status == WalkStatus::Object) {
-                const Vec3f normal = facing_normal(ray, sight.hit);
-                return {{off_object(ray, sight.hit, normal), normal, sight.end.cell},
-                        object_colour(scene_, sight.hit.object, sight.hit.triangle)};
+                const Vec3f normal = facing_normal(way.ray, sight.hit);
+                return {{off_object(way.ray, sight.hit, normal), normal, sight.end.cell},
+                        surfacing_of_object(scene_, way.ray, sight.hit, normal, way.width),
+                        sight.hit.object};
             }
         }
-        return {{end_point(scene_, ray, sight.end), normal_of(scene_, sight.end), sight.end.cell},
-                colour_of(scene_, scene_.source_faces[sight.end.target.bits])};
+        const LitPlace<T> place = {end_point(scene_, way.ray, sight.end), normal_of(scene_, sight.end), sight.end.cell};
+        return {place,
+                surfacing_of_face(scene_, way.ray, sight.end, vec_cast<float>(place.point), place.normal, way.width)};
     }
 
     template <class T>
-    static Ray<T> bounced(const LitPlace<T>& place, const PathSampler& sampler, std::uint32_t bounce) {
+    static Going<T> bounced(const LitPlace<T>& place, const PathSampler& sampler, std::uint32_t bounce) {
+        constexpr float diffuse_spread = 0.25f;  // what a bounce shows of a texture is blurred by so much of its way
         const Vec3f way = cosine_direction(place.normal, sampler.pair(path_use(bounce, PathUse::Direction)));
-        return make_ray_unchecked(place.point, vec_cast<T>(way));
+        return {make_ray_unchecked(place.point, vec_cast<T>(way)), place.cell, T(0), 0, diffuse_spread, T(0)};
     }
 
     static bool goes_on(std::uint32_t bounce, float draw, Vec3f& throughput) {
@@ -105,12 +158,12 @@ private:
 
     /// What lamps and sun make of a white surface.
     template <class T>
-    Vec3f lit(const LitPlace<T>& place, const PathSampler& sampler, std::uint32_t bounce) {
+    Vec3f lit(const LitPlace<T>& place, std::uint32_t object, const PathSampler& sampler, std::uint32_t bounce) {
         constexpr float inverse_pi = 0.318309886f;
         Vec3f sum = {0, 0, 0};
         if (light_.lamps != nullptr) {
             PathLamps<Rooms, Events> lamps(scene_, light_, rooms_, events_);
-            sum = inverse_pi * light_.lamps->exposure * lamps.at(place, sampler, bounce);
+            sum = inverse_pi * light_.lamps->exposure * lamps.at(place, object, sampler, bounce);
         }
         return largest_part(light_.look.sun) > 0 ? sum + sunlight_of(place, sampler, bounce) : sum;
     }
@@ -171,6 +224,7 @@ void path_rows(const detail::PathJob& job, const Rooms& rooms, Events& events) {
     const accel::SceneView scene = *job.scene;
     PathFollower<Rooms, Events> follower(scene, *job.light, rooms, events);
     std::uint32_t cut_cell = no_cell;
+    const float spread = length(job.camera->du);
     for (int y = job.y0; y < job.y1; ++y) {
         for (int x = job.x0; x < job.x1; ++x) {
             detail::PathSum& sum = job.sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(job.width) + x];
@@ -190,7 +244,7 @@ void path_rows(const detail::PathJob& job, const Rooms& rooms, Events& events) {
                         continue;
                     }
                 }
-                add_sample(sum, follower.along(make_ray_unchecked(origin, way), cell, sampler), s);
+                add_sample(sum, follower.along(make_ray_unchecked(origin, way), cell, spread, sampler), s);
             }
         }
     }

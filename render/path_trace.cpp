@@ -86,7 +86,8 @@ private:
     }
     void prepare_lamps(const PathOptions& options) {
         if (options.search != LampSearch::Naive && options.trees == nullptr)
-            own_trees_ = accel::build_light_trees(scene_, {.trees = options.search == LampSearch::Tree}, *executor_);
+            own_trees_ = accel::build_light_trees(scene_, {.trees = options.search == LampSearch::Tree, .balls = true},
+                                                  *executor_);
         lamps_ = {(options.trees != nullptr ? *options.trees : own_trees_).view(), options.search, options.exposure};
         for (const accel::Light& light : scene_.lights) ball_cells_.push_back(cell_of_ball(scene_, light));
         light_.lamps = &lamps_;
