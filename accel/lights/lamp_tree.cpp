@@ -46,14 +46,15 @@ LampTreeBuilder::LampTreeBuilder(const SceneView& view, const LightTreeOptions& 
     : view_(view),
       options_(options),
       margin_(options.margin.value_or(float_margin(view))),
-      walk_(view, walk_options(view, options, margin_)) {}
+      walk_(view, walk_options(view, options, margin_)),
+      objects_(view) {}
 
 LampTree LampTreeBuilder::build(const Light& light) {
     LampTree tree;
     if (light.cell == none<CellId>) return tree;
     const double radius = options_.balls ? double{light.radius} : 0;
     const bool is_followed = walk_.follow(light.cell, light.position, radius);
-    if (is_followed && options_.trees && radius == 0 && add_beams(tree)) return tree;
+    if (is_followed && options_.trees && radius == 0 && add_beams(light, tree)) return tree;
     tree = {};
     if (is_followed) {
         tree.cells = cells_of_steps();
@@ -124,11 +125,16 @@ void LampTreeBuilder::find_covered() {
     }
 }
 
-bool LampTreeBuilder::add_beams(LampTree& tree) {
+bool LampTreeBuilder::add_beams(const Light& light, LampTree& tree) {
     find_planes();
     find_tints(tree);
     if (tree.tints.size() > most_tints) return false;
     find_covered();
+    const bool lists_objects = options_.objects && view_.has_objects();
+    if (lists_objects) {
+        objects_.list(walk_, light);
+        tree.objects = objects_.objects();
+    }
     const std::span<const LampStep> steps = walk_.steps();
     std::vector<std::uint32_t> number(steps.size());
     for (std::uint32_t k = 0; k < steps.size(); ++k) {
@@ -140,6 +146,7 @@ bool LampTreeBuilder::add_beams(LampTree& tree) {
         beam.tint = tint_of_step_[k] & (most_tints - 1);
         beam.plane_count = count & most_planes;
         tree.beams.push_back(beam);
+        if (lists_objects) tree.object_lists.push_back(objects_.lists()[k]);
         for (std::uint32_t p = plane_offsets_[k]; p < plane_offsets_[k + 1]; ++p)
             tree.planes.push_back(
                 {static_cast<float>(planes_[p].x), static_cast<float>(planes_[p].y), static_cast<float>(planes_[p].z)});

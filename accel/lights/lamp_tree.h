@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/lights/beam_objects.h"
 #include "accel/lights/lamp_walk.h"
 #include "accel/lights/light_trees.h"
 
@@ -14,6 +15,8 @@ struct LampTree {
     std::vector<LightBeam> beams;
     std::vector<BeamPlane> planes;
     std::vector<Vertex> tints;
+    std::vector<BeamObjects> object_lists;  ///< [beams.size()], or empty
+    std::vector<ObjectId> objects;
     std::vector<CellId> cells;  ///< of a lamp without tree: where it may be seen, ascending
 };
 
@@ -24,7 +27,7 @@ public:
     [[nodiscard]] LampTree build(const Light& light);
 
 private:
-    bool add_beams(LampTree& tree);
+    bool add_beams(const Light& light, LampTree& tree);
     void find_planes();
     void find_tints(LampTree& tree);
     void find_covered();
@@ -35,6 +38,7 @@ private:
     const LightTreeOptions& options_;
     std::int64_t margin_;  ///< grid units
     LampWalk walk_;
+    BeamObjectLister objects_;
     // Of the lamp at hand:
     std::vector<std::uint32_t> plane_offsets_;  ///< [step_count + 1] into `planes_`
     std::vector<ConeVector> planes_;

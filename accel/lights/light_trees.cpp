@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "accel/lights/beam_objects.h"
 #include "accel/lights/lamp_tree.h"
 
 namespace enfilade::accel {
@@ -130,8 +129,18 @@ LightTrees build_light_trees(const SceneView& view, const LightTreeOptions& opti
         all.figures_.without_tree += trees[i].cells.empty() ? 0 : 1;
     }
     all.figures_.lamps = trees.size();
-    if (options.objects && options.trees && view.has_objects())
-        detail::list_objects(view, all.view(), executor, all.beam_object_lists_, all.beam_objects_);
+    if (options.objects && options.trees && view.has_objects()) {
+        all.beam_object_lists_.resize(all.beams_.size());
+        for (std::size_t i = 0; i < trees.size(); ++i) {
+            const auto first = static_cast<std::uint32_t>(all.beam_objects_.size());
+            for (std::size_t b = 0; b < trees[i].object_lists.size(); ++b) {
+                BeamObjects& list = all.beam_object_lists_[numbers[i][b]];
+                list = trees[i].object_lists[b];
+                list.first += first;
+            }
+            all.beam_objects_.insert(all.beam_objects_.end(), trees[i].objects.begin(), trees[i].objects.end());
+        }
+    }
     return all;
 }
 
