@@ -3,13 +3,16 @@
 #include "accel/scene_file.h"
 #include "base/error.h"
 #include "modeler/export_scene.h"
+#include "modeler/lighting/rule_lamps.h"
 #include "plans/read.h"
+#include "render/executor.h"
 #include "tools/bench.h"
 #include "tools/check_report.h"
 #include "tools/commands.h"
 #include "tools/exit_code.h"
 #include "tools/findings_text.h"
 #include "tools/furniture.h"
+#include "tools/lamp_summary.h"
 #include "tools/model.h"
 #include "tools/output_file.h"
 #include "tools/scene_summary.h"
@@ -39,6 +42,13 @@ std::string with_objects(const std::string& options_json, const FurnishFlags& fu
     return json.dump();
 }
 
+/// The same, with the lamp rules.
+std::string with_lamps(const std::string& options_json, const FurnishFlags& furnish) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(options_json);
+    json["lamps"] = furnish.lamps->empty() ? "own" : std::filesystem::path(*furnish.lamps).filename().string();
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 Built build_scene(const BuildCommandOptions& options, const Console& console) {
     const std::filesystem::path output = output_path(options.output);
     std::vector<std::string> steps = {"Reading the plan"};
@@ -48,6 +58,7 @@ Built build_scene(const BuildCommandOptions& options, const Console& console) {
     Built built;
     built.seconds = seconds_of([&] {
         std::optional<Furniture> furniture;
+        const std::optional<modeler::LampRules> lamps = lamp_rules_of(options.furnish);
         plans::Plan plan;
         built.read_seconds = seconds_of([&] {
             plan = plans::read(options.plan, options.read.options);
@@ -56,6 +67,7 @@ Built build_scene(const BuildCommandOptions& options, const Console& console) {
         progress.next();
         built.modelled = model(plan, options.model, progress, [&](modeler::Building& building) {
             if (furniture->is_wanted()) furniture->put_into(building, progress);
+            if (lamps) modeler::light_building(building, *lamps, furniture->catalogue(), *render::make_executor());
         });
         progress.next();
         if (furniture->is_wanted()) {
@@ -63,6 +75,7 @@ Built build_scene(const BuildCommandOptions& options, const Console& console) {
             built.furniture_text = furniture->text();
             built.furniture = furniture->json(built.modelled.building);
         }
+        if (lamps) built.modelled.options_json = with_lamps(built.modelled.options_json, options.furnish);
         if (has_defects(built.modelled.report, options.strict) && !options.keep_going) return;
         built.export_seconds = seconds_of([&] {
             built.scene =
@@ -84,6 +97,8 @@ std::string result_json(const BuildCommandOptions& options, const Built& built, 
     json["volumes"] = built.modelled.building.volumes.size();
     json["darts"] = built.modelled.building.map.dart_count();
     json["furniture"] = built.furniture;
+    json["lamps"] = nullptr;
+    if (written) json["lamps"] = lamps_json(lamp_summary(built.scene.view()));
     json["stage_seconds"] = {{"read", built.read_seconds},
                              {"model", built.modelled.build_seconds},
                              {"convexify", built.modelled.convexify_seconds},
@@ -115,6 +130,7 @@ int run_build(const BuildCommandOptions& options, const Console& console) {
     }
     console.say(report_text(subject, report, shown_findings));
     if (!built.furniture_text.empty()) console.say(built.furniture_text);
+    if (written && !built.scene.view().lights.empty()) console.say(lamps_text(lamp_summary(built.scene.view())));
     if (written)
         console.say(options.output.string() + ": " + scene_counts_text(built.scene) + ", in " +
                     time_text(built.seconds) + '.');

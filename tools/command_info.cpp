@@ -13,6 +13,7 @@
 #include "tools/cut_summary.h"
 #include "tools/exit_code.h"
 #include "tools/furniture_summary.h"
+#include "tools/lamp_summary.h"
 #include "tools/output_file.h"
 #include "tools/report/cut_sheet.h"
 #include "tools/scene_summary.h"
@@ -129,6 +130,7 @@ Json info_json(const std::string& file, const accel::Scene& scene, const Info& i
         }
     }
     json["furniture"] = furniture_json(view, info.stats);
+    json["lamps"] = lamps_json(lamp_summary(view));
     json["certificate"] = nullptr;
     if (info.certificate) {
         Json certificate = {{"program_version", info.certificate->program_version},
@@ -164,6 +166,7 @@ std::string info_text(const std::string& file, const accel::Scene& scene, const 
     for (std::size_t s = 0; s < view.spaces.size(); ++s)
         if (view.spaces[s].label == accel::Label::Room) text += room_line(view, view.spaces[s], info.spaces[s]) + '\n';
     text += furniture_text(view, stats);
+    if (const std::string lamps = lamps_text(lamp_summary(view)); !lamps.empty()) text += "\nLamps\n  " + lamps + '\n';
     text += "\nCells by label\n";
     for (std::size_t label = 0; label < stats.cells_of_label.size(); ++label)
         if (stats.cells_of_label[label] > 0)

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "modeler/check.h"
 #include "modeler/export_scene.h"
+#include "modeler/lighting/moved_lamps.h"
 #include "modeler/model_group.h"
 #include "modeler/objects/put_objects.h"
 #include "render/executor.h"
@@ -152,10 +153,12 @@ int run_place(const PlaceOptions& options, const Console& console) {
         edited.furnishing.cells = building.furnishing.empty() && options_json.find("\"cut\"") != std::string::npos
                                       ? modeler::ObjectCells::Cut
                                       : building.furnishing.cells;
+        std::vector<modeler::Lamp> lamps = modeler::moved_lamps(building.lamps, building.furnishing, edited.furnishing);
         if (edited.furnishing.cells == modeler::ObjectCells::Cut) building = rebuilt(building, options_json);
         std::vector<Finding> findings;
         building = modeler::put_objects(building, std::move(edited.furnishing), findings, *render::make_executor());
         building.findings.insert(building.findings.end(), findings.begin(), findings.end());
+        building.lamps = std::move(lamps);
         report = modeler::check(building);
         if (has_defects(report, false) && !options.keep_going) return;
         const accel::Scene again = modeler::export_scene(building, report, options_json);

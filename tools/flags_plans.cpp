@@ -131,8 +131,13 @@ void add_furnish_flags(CLI::App* command, FurnishFlags& furnish) {
         "scene, at a fraction of its time and memory (all)");
     add_value(command, "--views", furnish.views, "FILE",
               "the same for the cameras of this file, as \"enfilade tour\" writes it");
-    command->add_flag("--lit", furnish.lit,
-                      "with --rooms or --views: also what the plan's lamps shine through on their way there");
+    command->add_flag(
+        "--lit", furnish.lit,
+        "with --rooms or --views: also what the lamps of the plan and of --lamps shine through on their way there");
+    add_value(command, "--lamps", furnish.lamps, "[RULES]",
+              "hang lamps by rule: by this file (docs/lamps.md), or by our own rules where the flag stands alone; name "
+              "the plan before it. Rooms that the plan lights keep to its lamps")
+        ->expected(0, 1);
     command->add_flag("--no-plan-furniture", furnish.no_plan_furniture, "leave out the plan's own pieces");
 }
 

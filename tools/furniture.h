@@ -47,6 +47,8 @@ public:
     /// building is convex and holds its stack
     void put_into(modeler::Building& building, Progress& progress);
     [[nodiscard]] const FurnitureMade& made() const { return made_; }
+    /// Where its pieces come from; nullptr where none are wanted.
+    [[nodiscard]] const modeler::Catalogue* catalogue() const { return catalogue_ ? &*catalogue_ : nullptr; }
 
     /// Two sentences, one if there is no scope.
     [[nodiscard]] std::string text() const;

@@ -6,6 +6,7 @@
 
 #include "accel/assemble.h"
 #include "modeler/export_scene.h"
+#include "modeler/lighting/rule_lamps.h"
 #include "render/executor.h"
 #include "render/look.h"
 #include "tools/bench.h"
@@ -88,16 +89,22 @@ modeler::ScopeEyes eyes_of(const FurnishFlags& flags, const SceneView& scene) {
     return eyes;
 }
 
-modeler::ScopeLight light_of(const FurnishFlags& flags, const SceneView& scene, const plans::Plan& plan) {
+modeler::ScopeLight light_of(const FurnishFlags& flags, const SceneView& scene, const modeler::Building& building) {
     const render::Look look;
     modeler::ScopeLight light;
     light.sun = {double{look.sun_direction.x}, double{look.sun_direction.y}, double{look.sun_direction.z}};
     light.reach = double{look.ambient_reach};
     if (!flags.lit) return light;
-    for (const plans::Storey& storey : plan.storeys)
-        for (const plans::Light& lamp : storey.lights)
-            light.lamps.push_back({lamp.position.x - scene.origin[0], lamp.position.y - scene.origin[1],
-                                   storey.elevation + lamp.elevation - scene.origin[2]});
+    std::vector<modeler::Lamp> lamps = building.lamps;
+    if (const auto rules = lamp_rules_of(flags)) {
+        if (rules->replace) lamps.clear();
+        for (modeler::Lamp& lamp : modeler::rule_lamps(building, *rules, nullptr, *render::make_executor()))
+            lamps.push_back(std::move(lamp));
+    }
+    for (const modeler::Lamp& lamp : lamps) {
+        const auto& [x, y, z] = lamp.position;
+        light.lamps.push_back({x - scene.origin[0], y - scene.origin[1], z - scene.origin[2]});
+    }
     return light;
 }
 
@@ -131,12 +138,17 @@ std::vector<std::uint32_t> spaces_of_pieces(const SceneView& scene, const modele
 
 }  // namespace
 
+std::optional<modeler::LampRules> lamp_rules_of(const FurnishFlags& flags) {
+    if (!flags.lamps) return std::nullopt;
+    return flags.lamps->empty() ? modeler::own_lamp_rules() : modeler::read_lamp_rules(*flags.lamps);
+}
+
 FurnitureScope furniture_scope(const FurnishFlags& flags, const modeler::Building& building, const plans::Plan& plan) {
     FurnitureScope found;
     found.seconds = seconds_of([&] {
         const accel::Scene bare = accel::assemble(modeler::scene_input(building));
         const SceneView& scene = bare.view();
-        const modeler::ScopeLight light = light_of(flags, scene, plan);
+        const modeler::ScopeLight light = light_of(flags, scene, building);
         found.scope = modeler::scope_of(scene, eyes_of(flags, scene), light, *render::make_executor());
         found.pieces = spaces_of_pieces(scene, found.scope, plan);
         for (const accel::SpaceId space : found.scope.spaces)
