@@ -86,6 +86,7 @@ public:
         options.samples_per_pixel = samples;
         options.lamps_per_bounce = lamps_per_bounce;
         options.exposure = LitScene::exposure;
+        options.sky = options.sun = 0;  // lamps alone, as in the other pictures
         options.trees = &scene_->trees;
         options.executor = &executor;
         return render::trace_paths(scene_->view, camera_, options).image;
@@ -137,7 +138,7 @@ void dial_samples(Bench& bench, const LitScene& scene) {
 void dial_paths(Bench& bench, const LitScene& scene) {
     const DialPictures pictures(scene, bench.quick() ? 24 : 64);
     const std::unique_ptr<accel::Executor> cores = render::make_executor();
-    const int most = bench.quick() ? 16 : 256;
+    const int most = bench.quick() ? 16 : 64;
     std::vector<Setting> settings;
     for (int samples = 4; samples <= most; samples *= bench.quick() ? 2 : 4)
         settings.push_back({"path-samples " + std::to_string(samples),
@@ -146,7 +147,7 @@ void dial_paths(Bench& bench, const LitScene& scene) {
         settings.push_back({"path-lamps " + std::to_string(lamps),
                             [&, lamps] { return pictures.paths(most / 4, lamps, pictures.one()); }});
     settings.push_back({"path-lamps all", [&] { return pictures.paths(most / 4, 0, pictures.one()); }});
-    add_rows(bench, scene.name, settings, pictures.paths(16 * most, 0, *cores));
+    add_rows(bench, scene.name, settings, pictures.paths(32 * most, 0, *cores));
 }
 
 }  // namespace
@@ -157,7 +158,7 @@ void dial_lights(Bench& bench) {
     const LitScene scene("46 rooms", rooms.view(), 55, LampPlaces::Rooms);
     dial_searches(bench, scene);
     dial_samples(bench, scene);
-    dial_paths(bench, scene);
+    dial_paths(bench, LitScene("46 rooms, hanging", rooms.view(), 55, LampPlaces::Hanging));
 }
 
 }  // namespace enfilade::tools

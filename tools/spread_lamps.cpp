@@ -21,7 +21,7 @@ double fan_area(const accel::SceneView& scene, const accel::Cell& cell, std::uin
 }
 
 bool suits(const accel::Cell& cell, LampPlaces places) {
-    return cell.label == (places == LampPlaces::Rooms ? accel::Label::Room : accel::Label::Exterior);
+    return cell.label == (places == LampPlaces::Outside ? accel::Label::Exterior : accel::Label::Room);
 }
 
 /// Warm, neutral, cold.
@@ -32,7 +32,9 @@ accel::Light lamp_in(const accel::SceneView& scene, std::uint32_t c, LampPlaces 
     const accel::Cell& cell = scene.cells[c];
     const Vec3d place = random_place(scene, cell, 0.1, random);
     const double height = double(cell.z_ceiling) - cell.z_floor;
-    const double up = places == LampPlaces::Rooms ? height - std::min(0.1, height / 2) : std::min(4.0, height / 2);
+    const double up = places == LampPlaces::Outside
+                          ? std::min(4.0, height / 2)
+                          : height - std::min(places == LampPlaces::Hanging ? 0.7 : 0.1, height / 2);
     accel::Light light = {};
     light.position = {float(place.x), float(place.y), float(cell.z_floor + up)};
     light.intensity = hues[number % hues.size()];

@@ -12,8 +12,9 @@ namespace enfilade::tools {
 
 /// Where lamps hang.
 enum class LampPlaces {
-    Rooms,   ///< 0.1 m under their ceilings
-    Outside  ///< 4 m above the ground around the building, or half as high as a lower cell
+    Rooms,    ///< 0.1 m under their ceilings
+    Hanging,  ///< 0.7 m under them: no ceiling is too bright
+    Outside   ///< 4 m above the ground around the building, or half as high as a lower cell
 };
 
 /// `count` lamps of about 100 candela in several hues, one after the other along the floors' area, so that a room twice
