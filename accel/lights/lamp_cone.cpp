@@ -56,6 +56,9 @@ std::optional<ConeVector> LampCones::plane_of(const ConeVector& from, const Cone
         turn = std::max(turn, missing / lever);
     }
     normal = normal + turn * forward;
+    // What lies behind the lamp, as seen towards the edge, comes out of the plane by the turn.
+    const double least = slack_ * (1 + turn) * (1 - 1e-9);
+    if (std::ranges::any_of(lit_, [&](const Vertex& v) { return dot(normal, v.at) < least; })) return std::nullopt;
     return (1 / length(normal)) * normal;
 }
 
@@ -65,7 +68,6 @@ std::optional<ConePlanes> LampCones::behind(const ConePlanes& cone, std::span<co
     for (std::uint32_t k = cone.first; k < cone.first + cone.count; ++k)
         if (!clip(planes_[k], k)) return std::nullopt;
     ConePlanes next = {static_cast<std::uint32_t>(planes_.size()), 0};
-    bool is_bounded = false;
     for (std::size_t i = 0; i < lit_.size(); ++i) {
         const std::uint32_t edge = lit_[i].edge;
         if (std::any_of(lit_.begin(), lit_.begin() + static_cast<std::ptrdiff_t>(i),
@@ -75,13 +77,21 @@ std::optional<ConePlanes> LampCones::behind(const ConePlanes& cone, std::span<co
         if (edge < of_portal) planes_.push_back(ConeVector(planes_[edge]));
         else if (const auto plane = plane_of(portal[begin], portal[begin + 1 == portal.size() ? 0 : begin + 1])) {
             planes_.push_back(*plane);
-            is_bounded = true;
         }
     }
-    is_last_edge_on_ = is_bounded && dot(outward, portal[0]) <= slack_;
+    is_last_edge_on_ = dot(outward, portal[0]) <= slack_ && !is_over(portal, outward);
     if (dot(outward, portal[0]) <= 4 * slack_) add_ends(outward);
     next.count = static_cast<std::uint32_t>(planes_.size()) - next.first;
     return next;
+}
+
+/// Whether the lamp lies straight before the portal, its border included.
+bool LampCones::is_over(std::span<const ConeVector> portal, const ConeVector& outward) const {
+    for (std::size_t i = 0; i < portal.size(); ++i) {
+        const ConeVector along = portal[i + 1 == portal.size() ? 0 : i + 1] - portal[i];
+        if (dot(cross(outward, along), portal[i]) > slack_ * length(along)) return false;
+    }
+    return true;
 }
 
 /// Where the lamp lies in the plane of the portal, planes through edges are that plane: they do not tell where the

@@ -66,6 +66,7 @@ private:
 
     bool clip(const ConeVector& normal, std::uint32_t edge);
     [[nodiscard]] std::optional<ConeVector> plane_of(const ConeVector& from, const ConeVector& to) const;
+    [[nodiscard]] bool is_over(std::span<const ConeVector> portal, const ConeVector& outward) const;
     void add_ends(const ConeVector& outward);
     void begin_with(std::span<const ConeVector> portal);
 
