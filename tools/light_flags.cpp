@@ -63,6 +63,7 @@ LightChoice light_choice(const RenderOptions& options) {
                     : flags.search == "pvs" ? render::LampSearch::Pvs
                                             : render::LampSearch::Tree;
     choice.exposure_ev = parse_exposure(flags.exposure);
+    choice.are_balls = options.path.integrator == "path";
     choice.ambient_lux = flags.ambient_lux;
     if (choice.ambient_lux && !(*choice.ambient_lux >= 0 && *choice.ambient_lux <= most_ambient))
         refuse("--ambient is lux, from 0 to 1000000: 10 suit a room whose lamps give 100.");

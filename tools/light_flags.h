@@ -14,6 +14,7 @@ struct LightChoice {
     std::optional<render::LampSearch> search;  ///< nothing: they do not
     std::optional<double> exposure_ev;         ///< nothing: by the picture
     std::optional<double> ambient_lux;         ///< nothing: by the exposure
+    bool are_balls = false;                    ///< lamps shine with all of their ball, as paths follow them
     /// As --lights takes it.
     [[nodiscard]] const char* name() const;
 };

@@ -29,8 +29,8 @@ LitPictures::LitPictures(const accel::SceneView& scene, const LightChoice& choic
     for (const accel::Light& light : scene.lights) walled_ += light.cell == none<accel::CellId> ? 1 : 0;
     if (*choice.search != render::LampSearch::Naive)
         seconds_ = seconds_of([&] {
-            trees_ =
-                accel::build_light_trees(scene, {.trees = *choice.search == render::LampSearch::Tree}, *how.executor);
+            trees_ = accel::build_light_trees(
+                scene, {.trees = *choice.search == render::LampSearch::Tree, .balls = choice.are_balls}, *how.executor);
         });
     ev_ = choice.exposure_ev.value_or(usual_ev);
     if (!choice.exposure_ev) meter(scene, shots, how);
