@@ -1,6 +1,7 @@
 #pragma once
 // Lamps and places to try light trees with.
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -37,6 +38,9 @@ inline std::vector<accel::Light> awkward_lamps(const accel::SceneView& view, std
         render::Vec3d p = {at(view.section_x[s], view.section_x[t]), at(view.section_y[s], view.section_y[t]),
                            levels[random() % 4]};
         if (random() % 4 == 0) p = {middle.x, middle.y, p.z};
+        // A hair beside them, too, by less and by more than what float tells apart there.
+        const double hair = std::array{0.0, 1e-6, 1e-5, 3e-4}[random() % 4];
+        p = p + hair * random_direction(random);
         const accel::Light lamp = lamp_at(view, p);
         if (lamp.cell != none<accel::CellId>) lamps.push_back(lamp);
     }
