@@ -1,0 +1,81 @@
+// Clusters in the lists of cells: nothing of the light is lost, and it is as near as was asked for.
+
+#include "accel/lights/light_clusters.h"
+
+#include <gtest/gtest.h>
+
+#include "accel/assemble.h"
+#include "tests/accel/light_places.h"
+#include "tests/support/synthetic_scene.h"
+
+namespace enfilade::accel {
+namespace {
+
+class Clusters : public testing::Test {
+protected:
+    Scene scene = assemble(test::synthetic_office({.rooms_per_row = 5, .rows = 2, .turn = 0.1}));
+    std::mt19937_64 random{4};
+    test::LitScene lit{scene.view(), test::random_lamps(scene.view(), 2000, random)};
+    LightTreesView trees = lit.trees.view();
+
+    /// Each lamp of a list once.
+    static std::vector<std::uint32_t> lamps_of(const LightTreesView& of, std::uint32_t cell) {
+        std::vector<std::uint32_t> lamps;
+        for (std::uint32_t k = of.cell_offsets[cell]; k < of.cell_offsets[cell + 1]; ++k) {
+            const auto l = static_cast<std::uint32_t>(of.cell_lights[k].light);
+            if (lamps.empty() || lamps.back() != l) lamps.push_back(l);
+        }
+        return lamps;
+    }
+
+    static double given(const ArrayView<Light>& lights, const std::vector<std::uint32_t>& lamps,
+                        const render::Vec3d& p) {
+        double sum = 0;
+        for (const std::uint32_t l : lamps) {
+            const render::Vec3d way = p - test::place_of(lights[l]);
+            sum += double{lights[l].intensity[0]} / dot(way, way);
+        }
+        return sum;
+    }
+};
+
+TEST_F(Clusters, ShortenListsWithinTheErrorAskedFor) {
+    const double error = 0.2;
+    const LightClusters clusters = cluster_lights(lit.view, trees, {.error = error}, SerialExecutor());
+    const LightTreesView lists = clusters.lists(trees);
+    const double most = 1 / ((1 - error) * (1 - error)) - 1;
+    std::size_t before = 0, after = 0;
+    for (std::uint32_t c = 0; c < scene.view().cells.size(); ++c) {
+        const auto all = lamps_of(trees, c), shorter = lamps_of(lists, c);
+        EXPECT_TRUE(std::is_sorted(shorter.begin(), shorter.end()));
+        before += all.size();
+        after += shorter.size();
+        double intensity = 0;
+        for (const std::uint32_t l : all) intensity += double{clusters.lights()[l].intensity[0]};
+        for (const std::uint32_t l : shorter) intensity -= double{clusters.lights()[l].intensity[0]};
+        EXPECT_NEAR(intensity, 0, 1e-2) << "in cell " << c;
+        for (int k = 0; k < 5; ++k) {
+            const render::Vec3d p = test::random_point(scene.view(), c, random);
+            const double truth = given(clusters.lights(), all, p);
+            EXPECT_NEAR(given(clusters.lights(), shorter, p), truth, most * truth);
+        }
+    }
+    EXPECT_LT(double(after), 0.8 * double(before));
+}
+
+TEST_F(Clusters, StandInTheCellOfTheirLamps) {
+    const LightClusters clusters = cluster_lights(lit.view, trees, {.error = 0.5}, SerialExecutor());
+    EXPECT_GT(clusters.cluster_count(), 1000u);
+    for (const Light& light : clusters.lights()) {
+        const std::array<double, 3> p = {light.position[0], light.position[1], light.position[2]};
+        EXPECT_GT(depth(scene.view(), light.cell, p), -1e-4);
+    }
+}
+
+TEST_F(Clusters, AreNotMadeWhereNoErrorIsAllowed) {
+    const LightTreesView lists = cluster_lights(lit.view, trees, {}, SerialExecutor()).lists(trees);
+    EXPECT_EQ(lists.cell_lights.size(), trees.cell_lights.size());
+}
+
+}  // namespace
+}  // namespace enfilade::accel
