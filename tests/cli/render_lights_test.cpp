@@ -1,0 +1,173 @@
+// Pictures lit by the lamps of a scene: which flags make them, and what is said of them.
+
+#include <cmath>
+#include <fstream>
+
+#include "render/image_file.h"
+#include "tests/cli/program.h"
+
+namespace enfilade::test {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class RenderLights : public OfficeTest {
+protected:
+    /// Renders a small picture from inside of the first room.
+    static Outcome lit(const std::string& picture, const Words& words) {
+        Words all = {"render", "office.enf", "-o", picture, "--room", "Office 0.004", "--size", "48x32"};
+        all.insert(all.end(), words.begin(), words.end());
+        return run(all);
+    }
+    static json said(const std::string& picture, Words words) {
+        words.emplace_back("--json");
+        const Outcome outcome = lit(picture, words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json::parse(outcome.out, nullptr, false);
+    }
+    static render::Image image(const std::string& picture) { return render::read_image(folder() / picture); }
+    static double mean(const render::Image& image) {
+        double sum = 0;
+        for (const float v : image.rgb) sum += double{v};
+        return sum / double(image.rgb.size());
+    }
+};
+
+TEST_F(RenderLights, AllSearchesMakeOnePicture) {
+    for (const char* shading : {"look", "lambert"}) {
+        render::Image truth;
+        for (const char* search : {"naive", "pvs", "tree"}) {
+            const std::string picture = std::string(search) + shading + ".exr";
+            const json lights = said(picture, {"--lights", search, "--shading", shading})["lights"];
+            EXPECT_EQ(lights["search"], search);
+            EXPECT_GE(lights["lamps"], 12) << "an office has a lamp in every room";
+            EXPECT_EQ(lights["trees"].is_null(), std::string(search) == "naive");
+            if (truth.rgb.empty()) truth = image(picture);
+            ASSERT_GT(mean(truth), 0);
+            const render::Image shown = image(picture);
+            std::size_t others = 0;
+            for (std::size_t i = 0; i < shown.rgb.size(); ++i)
+                others += std::abs(shown.rgb[i] - truth.rgb[i]) > 2e-3f * truth.rgb[i] + 1e-6f ? 1 : 0;
+            EXPECT_LE(others, shown.rgb.size() / 100) << search << ' ' << shading;
+        }
+    }
+}
+
+TEST_F(RenderLights, EachStepOfExposureHalvesTheLight) {
+    for (const char* ev : {"6", "7"})
+        EXPECT_EQ(said(std::string(ev) + ".exr",
+                       {"--lights", "tree", "--shading", "lambert", "--exposure", ev})["lights"]["exposure_ev"],
+                  std::stod(ev));
+    EXPECT_NEAR(mean(image("6.exr")) / mean(image("7.exr")), 2, 0.05)
+        << "but for the evening sky in the window, which is as dim in all pictures";
+}
+
+TEST_F(RenderLights, WithoutExposureFilesOfNumbersHoldCandelaPerSquareMetre) {
+    EXPECT_EQ(said("cd.exr", {"--lights", "tree", "--shading", "lambert"})["lights"]["unit"], "candela/m2");
+    EXPECT_EQ(said("white.exr", {"--lights", "tree", "--shading", "lambert", "--exposure", "0"})["lights"]["unit"],
+              "white");
+    EXPECT_NEAR(mean(image("cd.exr")) / mean(image("white.exr")), 1.2, 0.01) << "white at 0 EV is 1.2 cd/m2";
+}
+
+TEST_F(RenderLights, AutomaticExposureKeepsThePictureBetweenBlackAndWhite) {
+    const json lights = said("auto.png", {"--lights", "tree"})["lights"];
+    EXPECT_FALSE(lights["is_exposure_chosen"]);
+    const render::Image shown = image("auto.png");
+    std::size_t white = 0;
+    for (const float v : shown.rgb) white += v >= 1 ? 1 : 0;
+    EXPECT_LT(white, shown.rgb.size() / 10);
+    EXPECT_GT(mean(shown), 0.05);
+    // What is said can be asked for: the same picture.
+    (void)said("asked.png", {"--lights", "tree", "--exposure", std::to_string(double(lights["exposure_ev"]))});
+    EXPECT_EQ(image("asked.png"), shown);
+}
+
+TEST_F(RenderLights, AmbientLightBrightensTheEvening) {
+    const Words evening = {"--lights", "tree", "--exposure", "6", "--ambient"};
+    Words none = evening, some = evening;
+    none.emplace_back("0");
+    some.emplace_back("20");
+    EXPECT_EQ(said("some.png", some)["lights"]["ambient_lux"], 20);
+    (void)said("none.png", none);
+    EXPECT_GT(mean(image("some.png")), mean(image("none.png")) + 0.005);
+}
+
+TEST_F(RenderLights, LampsAreForEveryWayToLook) {
+    for (const Words& words : std::vector<Words>{{"--tracer", "scalar"},
+                                                 {"--tracer", "simd"},
+                                                 {"--tracer", "packet"},
+                                                 {"--real", "double"},
+                                                 {"--no-objects"},
+                                                 {"--mirror-floor"},
+                                                 {"--spp", "1", "--shading", "lambert"}}) {
+        Words all = {"--lights", "tree"};
+        all.insert(all.end(), words.begin(), words.end());
+        EXPECT_GE(said("any.png", all)["lights"]["lamps"], 12) << words.front();
+    }
+    const Outcome outcome = run({"render", "office.enf", "-o", "cut.png", "--camera", "dollhouse:0", "--lights", "tree",
+                                 "--size", "48x32", "--stats"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const char* part : {"exposure", "EV", "beams", "planes", "lamps: "})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
+}
+
+TEST_F(RenderLights, OneExposureServesAllViewsOfARun) {
+    ASSERT_EQ(run({"tour", "office.enf", "-o", "lit.views.json", "--views", "3"}).exit_code, 0);
+    const Outcome outcome = run({"render", "office.enf", "--views", "lit.views.json", "-o", "lit/", "--size", "24x16",
+                                 "--spp", "1", "--lights", "tree", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["pictures"].size(), 3u);
+    EXPECT_TRUE(json::parse(outcome.out)["lights"]["exposure_ev"].is_number());
+}
+
+TEST_F(RenderLights, ASceneWithoutLampsSaysWhatToDo) {
+    // A plan like the office's, its lamps taken away.
+    const auto plan = json::parse(std::ifstream(folder() / "office.json"));
+    json dark = plan;
+    for (json& storey : dark["storeys"]) storey.erase("lights");
+    std::ofstream(folder() / "dark.json") << dark;
+    ASSERT_EQ(run({"build", "dark.json", "-o", "dark.enf"}).exit_code, 0);
+    const Words look = {"render", "dark.enf", "-o", "dark.png", "--camera", "exterior", "--size", "48x32"};
+    Words asked = look;
+    asked.insert(asked.end(), {"--lights", "tree"});
+    const Outcome outcome = run(asked);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find("--lamps"), std::string::npos) << outcome.err;
+    const render::Image with = image("dark.png");
+    ASSERT_EQ(run(look).exit_code, 0);
+    EXPECT_EQ(image("dark.png"), with);
+}
+
+TEST_F(RenderLights, RefusesWhatIsWrongOrMeansNothingBeforeTheWork) {
+    const std::vector<std::pair<Words, std::string>> wrong = {
+        {{"--lights", "bright"}, "bright"},
+        {{"--lights", "tree", "--exposure", "dark"}, "exposure value"},
+        {{"--lights", "tree", "--exposure", "nan"}, "exposure value"},
+        {{"--lights", "tree", "--exposure", "1e9"}, "exposure value"},
+        {{"--lights", "tree", "--ambient", "-1"}, "lux"},
+        {{"--lights", "tree", "--ambient", "nan"}, "lux"},
+        {{"--lights", "tree", "--ambient", "5", "--shading", "lambert"}, "--ambient"},
+        {{"--lights", "tree", "--tracer", "oracle"}, "oracle"},
+        {{"--lights", "tree", "--show", "cells"}, "--show cells"},
+        {{"--exposure", "6"}, "--lights tree"},
+        {{"--ambient", "6"}, "--lights tree"},
+        {{"--lights", "none", "--exposure", "6"}, "--lights tree"},
+    };
+    for (const auto& [words, part] : wrong) {
+        Words all = {"render", "absent.enf", "-o", "wrong.png"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome outcome = run(all);
+        EXPECT_EQ(outcome.exit_code, 2) << words.back() << outcome.err;
+        EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    }
+    const Outcome mesh = run({"render", "bunny.obj", "-o", "wrong.png", "--lights", "tree"});
+    EXPECT_EQ(mesh.exit_code, 2);
+    EXPECT_NE(mesh.err.find("no lamps"), std::string::npos) << mesh.err;
+}
+
+}  // namespace
+}  // namespace enfilade::test
