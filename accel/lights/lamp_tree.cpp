@@ -151,6 +151,9 @@ bool LampTreeBuilder::add_beams(const Light& light, LampTree& tree) {
             tree.planes.push_back(
                 {static_cast<float>(planes_[p].x), static_cast<float>(planes_[p].y), static_cast<float>(planes_[p].z)});
     }
+    // There may be many trees, and they all wait for the last one.
+    tree.beams.shrink_to_fit();
+    tree.planes.shrink_to_fit();
     return true;
 }
 
