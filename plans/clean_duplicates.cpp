@@ -57,13 +57,15 @@ struct Heir {
     Match how = Match::None;
 };
 
-/// The openings of `wall` go over to its heir, and the colours where that has none.
+/// The openings of `wall` go over to its heir, and the colours and textures where that has none.
 void inherit(const Wall& wall, Wall& heir, Match how, const std::vector<std::uint32_t>& openings, Storey& storey) {
     const bool reversed = how == Match::Reversed;
     const auto& left = reversed ? wall.right_colour : wall.left_colour;
     const auto& right = reversed ? wall.left_colour : wall.right_colour;
     if (!heir.left_colour) heir.left_colour = left;
     if (!heir.right_colour) heir.right_colour = right;
+    if (!heir.left_texture) heir.left_texture = reversed ? wall.right_texture : wall.left_texture;
+    if (!heir.right_texture) heir.right_texture = reversed ? wall.left_texture : wall.right_texture;
     for (const std::uint32_t o : openings) {
         Opening& opening = storey.openings[o];
         opening.wall = heir.id;

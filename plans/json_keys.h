@@ -21,12 +21,15 @@ inline constexpr std::string_view storey_list[] = {"id",     "name",     "elevat
                                                    "walls",  "openings", "rooms",     "columns", "stairs",
                                                    "shafts", "lights",   "furniture"};
 inline constexpr std::string_view wall_list[] = {
-    "id",        "name",   "start",           "end",           "arc_extent",  "arc_extent_deg",
-    "thickness", "height", "height_at_start", "height_at_end", "left_colour", "right_colour"};
+    "id",           "name",         "start",           "end",           "arc_extent",  "arc_extent_deg",
+    "thickness",    "height",       "height_at_start", "height_at_end", "left_colour", "right_colour",
+    "left_texture", "right_texture"};
 inline constexpr std::string_view opening_list[] = {"id",         "name",           "kind",       "wall",
                                                     "offset",     "width",          "sill",       "head",
                                                     "open_angle", "open_angle_deg", "depth_left", "depth_right"};
-inline constexpr std::string_view room_list[] = {"id", "name", "kind", "polygon", "floor_colour", "ceiling_colour"};
+inline constexpr std::string_view room_list[] = {"id",           "name",           "kind",          "polygon",
+                                                 "floor_colour", "ceiling_colour", "floor_texture", "ceiling_texture"};
+inline constexpr std::string_view texture_list[] = {"picture", "width", "height", "angle", "angle_deg", "offset"};
 inline constexpr std::string_view column_list[] = {"id", "name", "polygon", "circle", "height"};
 inline constexpr std::string_view circle_list[] = {"centre", "radius", "sides"};
 inline constexpr std::string_view stair_list[] = {"id", "name", "polygon"};
@@ -47,6 +50,7 @@ inline constexpr JsonKeys storey{"storey", storey_list};
 inline constexpr JsonKeys wall{"wall", wall_list};
 inline constexpr JsonKeys opening{"opening", opening_list};
 inline constexpr JsonKeys room{"room", room_list};
+inline constexpr JsonKeys texture{"texture", texture_list};
 inline constexpr JsonKeys column{"column", column_list};
 inline constexpr JsonKeys circle{"circle", circle_list};
 inline constexpr JsonKeys stair{"stair", stair_list};

@@ -108,6 +108,22 @@ private:
         return storey;
     }
 
+    std::optional<SurfaceTexture> read_texture(const JsonValue* value) {
+        if (value == nullptr) return std::nullopt;
+        const Fields fields(*value, keys::texture, source_);
+        SurfaceTexture texture;
+        texture.picture = fields.text("picture");
+        texture.width = fields.length("width", {1e-3, 1e3});
+        texture.height = fields.length("height", {1e-3, 1e3});
+        texture.angle = fields.angle("angle", {-2 * pi, 2 * pi}, 0);
+        if (fields.has("offset")) {
+            const Point offset = fields.point("offset");  // of repeats: no unit of length
+            texture.offset_x = offset.x / source_.unit;
+            texture.offset_y = offset.y / source_.unit;
+        }
+        return texture;
+    }
+
     Wall read_wall(const JsonValue& value, const Storey& storey, std::size_t number) {
         const Fields fields(value, keys::wall, source_);
         Wall wall;
@@ -123,6 +139,8 @@ private:
         wall.height_at_end = fields.length("height_at_end", any_height, height);
         wall.left_colour = fields.colour("left_colour");
         wall.right_colour = fields.colour("right_colour");
+        wall.left_texture = read_texture(fields.find("left_texture"));
+        wall.right_texture = read_texture(fields.find("right_texture"));
         return wall;
     }
 
@@ -182,6 +200,8 @@ private:
         room.polygon = fields.points("polygon");
         room.floor_colour = fields.colour("floor_colour");
         room.ceiling_colour = fields.colour("ceiling_colour");
+        room.floor_texture = read_texture(fields.find("floor_texture"));
+        room.ceiling_texture = read_texture(fields.find("ceiling_texture"));
         return room;
     }
 

@@ -60,6 +60,15 @@ public:
     Line& colour(const char* key, const std::optional<Colour>& value) {
         return value ? raw(key, colour_text(*value)) : *this;
     }
+    Line& texture(const char* key, const std::optional<SurfaceTexture>& value) {
+        if (!value) return *this;
+        Line inside;
+        inside.text("picture", value->picture).number("width", value->width).number("height", value->height);
+        inside.number_unless("angle", value->angle, 0);
+        if (value->offset_x != 0 || value->offset_y != 0)
+            inside.raw("offset", point_text({value->offset_x, value->offset_y}));
+        return raw(key, inside.done());
+    }
     [[nodiscard]] std::string done() const { return "{" + text_ + "}"; }
 
 private:
@@ -86,7 +95,8 @@ std::string write_element(const Wall& wall) {
     line.number_unless("arc_extent", wall.arc_extent, 0).number("thickness", wall.thickness);
     if (wall.height_at_start == wall.height_at_end) line.number("height", wall.height_at_start);
     else line.number("height_at_start", wall.height_at_start).number("height_at_end", wall.height_at_end);
-    return line.colour("left_colour", wall.left_colour).colour("right_colour", wall.right_colour).done();
+    line.colour("left_colour", wall.left_colour).colour("right_colour", wall.right_colour);
+    return line.texture("left_texture", wall.left_texture).texture("right_texture", wall.right_texture).done();
 }
 
 std::string write_element(const Opening& opening) {
@@ -110,6 +120,8 @@ std::string write_element(const Room& room) {
         .raw("polygon", polygon_text(room.polygon))
         .colour("floor_colour", room.floor_colour)
         .colour("ceiling_colour", room.ceiling_colour)
+        .texture("floor_texture", room.floor_texture)
+        .texture("ceiling_texture", room.ceiling_texture)
         .done();
 }
 

@@ -20,6 +20,18 @@ struct Point {
 /// Linear RGB, each 0..1.
 using Colour = std::array<float, 3>;
 
+/// A picture that covers a surface, repeated: on walls upright from the foot of their start, on floors from the origin
+/// of the plan.
+struct SurfaceTexture {
+    std::string picture;  ///< a PNG or JPEG: an entry of the plan's archive, or a file beside the plan or below
+    double width = 1;     ///< metres of one repeat
+    double height = 1;
+    double angle = 0;     ///< counter-clockwise as one looks at the surface
+    double offset_x = 0;  ///< how far it is moved: to the right, in repeats
+    double offset_y = 0;  ///< upward
+    friend bool operator==(const SurfaceTexture&, const SurfaceTexture&) = default;
+};
+
 /// A wall by its axis: a segment, or an arc of circle when `arc_extent` is not 0.
 struct Wall {
     std::string id;
@@ -32,6 +44,8 @@ struct Wall {
     double height_at_end = 2.5;
     std::optional<Colour> left_colour;  ///< left of start -> end
     std::optional<Colour> right_colour;
+    std::optional<SurfaceTexture> left_texture;  ///< instead of the colour, where its picture can be had
+    std::optional<SurfaceTexture> right_texture;
 };
 
 enum class OpeningKind { Door, Window, Opening };
@@ -60,6 +74,8 @@ struct Room {
     std::vector<Point> polygon;
     std::optional<Colour> floor_colour;
     std::optional<Colour> ceiling_colour;
+    std::optional<SurfaceTexture> floor_texture;
+    std::optional<SurfaceTexture> ceiling_texture;
 };
 
 /// A solid prism inside a storey.

@@ -170,6 +170,8 @@ void read_wall(const HomeElement& element, Home& home) {
     wall.height_at_end = element.metres("heightAtEnd", any_height, wall.height_at_start);
     wall.left_colour = element.colour("leftSideColor");
     wall.right_colour = element.colour("rightSideColor");
+    wall.left_texture = element.texture("leftSideTexture");
+    wall.right_texture = element.texture("rightSideTexture");
     storey.walls.push_back(std::move(wall));
 }
 
@@ -181,6 +183,8 @@ void read_room(const HomeElement& element, Home& home) {
     room.kind = room_kind(room.name);
     room.floor_colour = element.colour("floorColor");
     room.ceiling_colour = element.colour("ceilingColor");
+    room.floor_texture = element.texture("floorTexture");
+    room.ceiling_texture = element.texture("ceilingTexture");
     std::size_t unusable = 0;
     for (const pugi::xml_node node : element.node().children("point")) {
         if (const auto point = point_of(element.child(node), "x", "y")) room.polygon.push_back(*point);

@@ -227,6 +227,27 @@ double HomeElement::metres(const char* key, const NumberRange& range, double fal
     return value.value_or(fallback);
 }
 
+std::optional<SurfaceTexture> HomeElement::texture(const char* attribute) const {
+    constexpr NumberRange sizes = {1e-3, 1e3};
+    for (const pugi::xml_node node : node_.children("texture")) {
+        const HomeElement element = child(node);
+        if (element.text("attribute") != attribute) continue;
+        SurfaceTexture texture;
+        texture.picture = element.text("image");
+        const auto width = element.metres("width", sizes), height = element.metres("height", sizes);
+        if (texture.picture.empty() || !width || !height) return std::nullopt;  // a colour is what is left
+        const double scale = element.number("scale", {1e-3, 1e3}, 1);
+        texture.width = std::clamp(*width * scale, sizes.min, sizes.max);
+        texture.height = std::clamp(*height * scale, sizes.min, sizes.max);
+        // Sweet Home 3D turns the axes, not the picture.
+        texture.angle = -std::remainder(element.number("angle", {-1e6, 1e6}, 0), 2 * std::numbers::pi);
+        texture.offset_x = element.number("xOffset", {-1e6, 1e6}, 0);
+        texture.offset_y = element.number("yOffset", {-1e6, 1e6}, 0);
+        return texture;
+    }
+    return std::nullopt;
+}
+
 std::optional<Colour> HomeElement::colour(const char* key) const {
     if (!has(key)) return {};
     const std::optional<std::uint32_t> value = argb(node_.attribute(key).value());

@@ -44,6 +44,9 @@ public:
     [[nodiscard]] double metres(const char* key, const NumberRange& range, double fallback) const;
     /// ARGB in hexadecimal as Sweet Home 3D writes it, or in decimal as some scripts do.
     [[nodiscard]] std::optional<Colour> colour(const char* key) const;
+    /// The child `texture` of that attribute whose picture the file holds; one without a usable size is told and left
+    /// out.
+    [[nodiscard]] std::optional<SurfaceTexture> texture(const char* attribute) const;
 
     /// Says that the attribute's value cannot be used, and what is taken instead.
     void unusable(const char* key, const std::string& instead) const { report_unusable(key, instead); }

@@ -62,6 +62,9 @@ INSTANTIATE_TEST_SUITE_P(
         Complaint{"more light than there is",
                   storey_with(R"("lights": [{"position": [1, 1], "intensity_candela": 1e9}])"), "P105", 3,
                   "intensity_candela"},
+        Complaint{"a texture without a size",
+                  storey_with(R"("walls": [{"start": [0, 0], "end": [1, 0], "left_texture": {"picture": "a.png"}}])"),
+                  "P104", 3, "width"},
         Complaint{"a text for a number", storey_with(R"("height": "high")"), "P103", 3, "height"},
         Complaint{"a missing key", storey_with(R"("walls": [{"start": [0, 0]}])"), "P104", 3, "end"},
         Complaint{"a negative thickness",
@@ -132,6 +135,28 @@ TEST(JsonPlan, ReadsHowFurnitureIsTurned) {
     EXPECT_EQ(piece.materials.at(0), (FurnitureMaterial{"wood", {1, 0, 0}}));
     const std::string text = write_json(plan);
     EXPECT_EQ(write_json(read_json(text, "")), text);
+}
+
+TEST(JsonPlan, ReadsTexturesOfWallsAndRooms) {
+    const Plan plan = read_json(storey_with(R"("walls": [{"id": "w", "start": [0, 0], "end": [400, 0], "right_texture":
+                       {"picture": "wood/oak.jpg", "width": 60, "height": 40, "angle_deg": 90, "offset": [0.5, -0.25]}}],
+                       "rooms": [{"id": "r", "polygon": [[0, 0], [400, 0], [400, 400]],
+                       "floor_texture": {"picture": "tiles.png", "width": 30, "height": 30}}])")
+                                    .insert(1, R"("units": "cm", )"),
+                                "plan.json");
+    const Storey& storey = plan.storeys.at(0);
+    const SurfaceTexture oak = storey.walls.at(0).right_texture.value();
+    EXPECT_EQ(oak.picture, "wood/oak.jpg");
+    EXPECT_DOUBLE_EQ(oak.width, 0.6);
+    EXPECT_DOUBLE_EQ(oak.height, 0.4);
+    EXPECT_NEAR(oak.angle, std::numbers::pi / 2, 1e-12);
+    EXPECT_DOUBLE_EQ(oak.offset_x, 0.5);
+    EXPECT_DOUBLE_EQ(oak.offset_y, -0.25);
+    EXPECT_FALSE(storey.walls.at(0).left_texture);
+    EXPECT_EQ(storey.rooms.at(0).floor_texture, (SurfaceTexture{"tiles.png", 0.3, 0.3}));
+    const Plan again = read_json(write_json(plan), "again.json");
+    EXPECT_EQ(again.storeys.at(0).walls.at(0).right_texture, oak);
+    EXPECT_EQ(again.storeys.at(0).rooms.at(0).floor_texture, storey.rooms.at(0).floor_texture);
 }
 
 TEST(JsonPlan, ExamplesRoundTrip) {

@@ -98,6 +98,25 @@ TEST(SweetHome, KeepsTheSidesOfWalls) {
     EXPECT_EQ(*wall.right_colour, (Colour{0, 0, 1}));
 }
 
+TEST(SweetHome, KeepsTheTexturesOfWallsAndFloors) {
+    const auto child = [](const std::string& attribute, const std::string& more) {
+        return "<texture attribute='" + attribute + "' name='brick' image='7' width='80' height='40' " + more + "/>";
+    };
+    std::string wall = wall_xml("w", 0, 0, 200, 0, "thickness='10' leftSideColor='FFFF0000'");
+    wall.replace(wall.size() - 2, 2, ">" + child("leftSideTexture", "scale='0.5'") + "</wall>");
+    std::string room = room_xml({{0, 0}, {9, 0}, {9, 9}});
+    const std::string turned = child("floorTexture", "angle='0.5' xOffset='0.25' yOffset='-0.5'");
+    room.replace(room.find("</room>"), 0,
+                 turned + "<texture attribute='ceilingTexture' image='8' width='0' height='4'/>");
+    const Plan plan = read_home(wall + room);
+    const Wall& read = plan.storeys.at(0).walls.at(0);
+    EXPECT_EQ(read.left_texture, (SurfaceTexture{"7", 0.4, 0.2, 0, 0, 0}));
+    EXPECT_EQ(read.left_colour, (Colour{1, 0, 0}));
+    EXPECT_FALSE(read.right_texture);
+    EXPECT_EQ(plan.storeys.at(0).rooms.at(0).floor_texture, (SurfaceTexture{"7", 0.8, 0.4, -0.5, 0.25, -0.5}));
+    EXPECT_FALSE(plan.storeys.at(0).rooms.at(0).ceiling_texture) << "it has no size";
+}
+
 TEST(SweetHome, ReadsColoursInDecimalToo) {
     const Plan plan = read_home(room_xml({{0, 0}, {9, 0}, {9, 9}}, "floorColor='4291344794' ceilingColor='FFC8AD7F'"));
     const Room& room = plan.storeys.at(0).rooms.at(0);
