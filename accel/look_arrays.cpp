@@ -9,7 +9,8 @@ namespace enfilade::accel::detail {
 LookArrays lay_out_looks(const SceneInput& input, const std::function<TextId(const std::string&)>& name) {
     LookArrays arrays;
     const std::vector<InputMaterial>& materials = input.materials;
-    if (std::ranges::all_of(materials, [](const InputMaterial& m) { return m.look == InputLook{}; })) return arrays;
+    const auto is_plain = [](const InputMaterial& m) { return m.look == InputLook{}; };
+    if (input.textures.empty() && std::ranges::all_of(materials, is_plain)) return arrays;
     for (const InputMaterial& material : materials) {
         const InputLook& look = material.look;
         const TextureId texture = look.texture == UINT32_MAX ? none<TextureId> : static_cast<TextureId>(look.texture);

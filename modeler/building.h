@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "accel/label.h"
+#include "accel/scene_input.h"
 #include "base/finding.h"
 #include "base/id.h"
 #include "gmap/defect.h"
@@ -88,6 +90,9 @@ struct Building {
 
     Furnishing furnishing;    ///< what stands in its rooms
     std::vector<Lamp> lamps;  ///< by ascending id: the plan's, and those by rule (modeler/lighting)
+
+    /// Of the plan's walls, floors and ceilings: named by surface_textures.h.
+    std::vector<std::shared_ptr<const accel::InputTexture>> pictures;
 
     std::string plan_json;          ///< the cleaned plan, canonical
     Stack stack;                    ///< what the volumes were made from; empty in a building read back from a scene

@@ -13,6 +13,7 @@ Building convexify(const Building& building, const ConvexifyOptions& options, co
     convex.name = building.name;
     convex.plan_json = building.plan_json;
     convex.lamps = building.lamps;
+    convex.pictures = building.pictures;
     convex.sagitta = building.sagitta;
     convex.opaque_glass = building.opaque_glass;
     convex.max_deviation = std::max(convex.max_deviation, building.max_deviation);

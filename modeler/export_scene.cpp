@@ -15,6 +15,7 @@
 #include "modeler/model_group.h"
 #include "modeler/objects/scene_objects.h"
 #include "modeler/outline.h"
+#include "modeler/surface_textures.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -28,19 +29,20 @@ struct SideRun {
     PortalKind portal = PortalKind::Clear;
     Surface surface = Surface::WallPaper;  ///< of a solid, like `material`
     std::uint32_t material = 0;
-    std::uint32_t source = no_index;  ///< source face of a solid
+    std::uint32_t textured_wall = SurfaceTextures::no_wall;  ///< whose texture the solid shows
+    std::uint32_t source = no_index;                         ///< source face of a solid
 
     [[nodiscard]] bool is_portal() const { return neighbour != no_index; }
     /// Whether both show the same: one face where they touch.
     [[nodiscard]] bool like(const SideRun& other) const {
         return neighbour == other.neighbour && portal == other.portal && surface == other.surface &&
-               material == other.material && source == other.source;
+               material == other.material && textured_wall == other.textured_wall && source == other.source;
     }
 };
 
 /// Solid runs with equal keys, one starting where the other ends, are one face of the building before its cuts.
 struct ChainKey {
-    std::uint32_t parent, line, material, start;
+    std::uint32_t parent, line, material, textured_wall, start;
     std::int32_t z_low, z_high;
     Surface surface;
     friend bool operator==(const ChainKey&, const ChainKey&) = default;
@@ -49,9 +51,9 @@ struct ChainHash {
     std::size_t operator()(const ChainKey& key) const {
         std::uint64_t h = 0x9e3779b97f4a7c15u;
         for (const std::uint64_t part :
-             {std::uint64_t(key.parent), std::uint64_t(key.line), std::uint64_t(key.material), std::uint64_t(key.start),
-              std::uint64_t(std::uint32_t(key.z_low)), std::uint64_t(std::uint32_t(key.z_high)),
-              std::uint64_t(key.surface)})
+             {std::uint64_t(key.parent), std::uint64_t(key.line), std::uint64_t(key.material),
+              std::uint64_t(key.textured_wall), std::uint64_t(key.start), std::uint64_t(std::uint32_t(key.z_low)),
+              std::uint64_t(std::uint32_t(key.z_high)), std::uint64_t(key.surface)})
             h = (h ^ part) * 0xbf58476d1ce4e5b9u, h ^= h >> 29;
         return std::size_t(h);
     }
@@ -59,7 +61,8 @@ struct ChainHash {
 
 class SceneExporter {
 public:
-    explicit SceneExporter(const Building& building) : building_(building), openings_(building), materials_(building) {}
+    explicit SceneExporter(const Building& building)
+        : building_(building), openings_(building), materials_(building), textures_(building) {}
 
     accel::SceneInput run() {
         const plans::GridFrame& frame = building_.frame;
@@ -75,6 +78,7 @@ public:
         add_sections();
         add_spaces();
         input_.materials = materials_.take();
+        input_.textures = building_.pictures;
         add_objects(building_, input_);
         add_lights(building_, input_);
         return std::move(input_);
@@ -172,8 +176,14 @@ private:
         const Volume& back = building_.volumes[behind];
         const std::uint32_t place = place_of(building_, volume.space);
         const Surface shown = surface(label_seen(volume), back.label, is_floor ? Looking::Down : Looking::Up);
-        input_.source_faces.push_back({shown, volume.space, materials_.of(shown, place, back.space, no_index),
-                                       std::uint32_t(input_.vertices.size())});
+        const PlanTexture* texture = shown == Surface::Floor     ? textures_.of_floor(place)
+                                     : shown == Surface::Ceiling ? textures_.of_ceiling(place)
+                                                                 : nullptr;
+        input_.source_faces.push_back(
+            {shown, volume.space,
+             texture != nullptr ? materials_.of(shown, *texture) : materials_.of(shown, place, back.space, no_index),
+             std::uint32_t(input_.vertices.size())});
+        if (texture != nullptr) input_.source_faces.back().frame = textures_.level_frame();
         const auto add = [&](std::uint32_t point) {
             const plans::GridPoint p = building_.points[point];
             input_.vertices.push_back({p.x, p.y, is_floor ? volume.z_low : volume.z_high});
@@ -197,14 +207,14 @@ private:
             first_corner_.push_back(std::uint32_t(first_run_.size()));
             for (std::uint32_t k = 0; k < piece_of(cell).corner_count; ++k) {
                 first_run_.push_back(std::uint32_t(runs_.size()));
-                add_runs(cell, corner_of(cell, k));
+                add_runs(cell, corner_of(cell, k), corner_of(cell, k + 1).vertex);
             }
         }
         first_corner_.push_back(std::uint32_t(first_run_.size()));
         first_run_.push_back(std::uint32_t(runs_.size()));
     }
 
-    void add_runs(std::uint32_t cell, const Corner& corner) {
+    void add_runs(std::uint32_t cell, const Corner& corner, std::uint32_t end) {
         const std::uint32_t half_edge = corner.half_edge;
         const std::uint32_t v = volume_of_[cell], edge = half_edge / 2;
         const std::size_t first = runs_.size();
@@ -221,13 +231,25 @@ private:
                 const Volume& viewer = building_.volumes[v];
                 const Volume& back = building_.volumes[behind];
                 run.surface = kind.forced.value_or(surface(label_seen(viewer), back.label, Looking::Sideways));
-                run.material = materials_.of(run.surface, place_of(building_, viewer.space), back.space, corner.line);
+                lay_material(run, place_of(building_, viewer.space), back.space, corner, end);
             }
             if (runs_.size() > first && runs_.back().like(run)) runs_.back().z_high = run.z_high;
             else runs_.push_back(run);
         }
         if (runs_.size() == first) refuse("a cell has a side without a face");
     }
+
+    /// Of a solid over the edge from `corner` to the point `end`.
+    void lay_material(SideRun& run, std::uint32_t place, std::uint32_t behind, const Corner& corner,
+                      std::uint32_t end) {
+        const plans::GridPoint a = building_.points[corner.vertex], b = building_.points[end];
+        if (run.surface == Surface::WallPaper || run.surface == Surface::Facade)
+            run.textured_wall = textures_.wall_behind(behind, a, b);
+        run.material = run.textured_wall != SurfaceTextures::no_wall
+                           ? materials_.of(run.surface, textures_.of_wall(run.textured_wall, a, b))
+                           : materials_.of(run.surface, place, behind, corner.line);
+    }
+
     void chain_solid_runs() {
         struct Place {
             std::uint32_t run, end;
@@ -242,8 +264,8 @@ private:
                         if (run.is_portal()) continue;
                         const std::uint32_t parent = building_.volumes[volume_of_[cell]].parent;
                         visit(cell, r,
-                              ChainKey{parent, line_of(cell, k), run.material, corner_of(cell, k).vertex, run.z_low,
-                                       run.z_high, run.surface},
+                              ChainKey{parent, line_of(cell, k), run.material, run.textured_wall,
+                                       corner_of(cell, k).vertex, run.z_low, run.z_high, run.surface},
                               corner_of(cell, k + 1).vertex);
                     }
                 }
@@ -279,6 +301,8 @@ private:
     void add_side_face(std::uint32_t space, const SideRun& run, std::uint32_t from, std::uint32_t to) {
         input_.source_faces.push_back({run.surface, space, run.material, std::uint32_t(input_.vertices.size())});
         const plans::GridPoint a = building_.points[from], b = building_.points[to];
+        if (run.textured_wall != SurfaceTextures::no_wall)
+            input_.source_faces.back().frame = textures_.wall_frame(run.textured_wall, a, b);
         input_.vertices.push_back({a.x, a.y, run.z_low});
         input_.vertices.push_back({a.x, a.y, run.z_high});
         input_.vertices.push_back({b.x, b.y, run.z_high});
@@ -390,6 +414,7 @@ private:
     const Building& building_;
     OpeningFaces openings_;
     Materials materials_;
+    SurfaceTextures textures_;
     accel::SceneInput input_;
     std::vector<std::uint32_t> cell_of_;                           ///< [volume]
     std::vector<std::uint32_t> volume_of_;                         ///< [cell]

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "accel/texture_chain.h"
+
 namespace enfilade::modeler {
 namespace {
 
@@ -63,8 +65,31 @@ std::optional<plans::Colour> Materials::wall_colour(std::uint32_t behind_space, 
 std::uint32_t Materials::of(Surface surface, std::uint32_t viewer_space, std::uint32_t behind_space,
                             std::uint32_t line) {
     const plans::Colour shown = colour(surface, viewer_space, behind_space, line).value_or(default_colour(surface));
-    const auto [at, is_new] = known_.try_emplace({surface, shown}, std::uint32_t(materials_.size()));
-    if (is_new) materials_.push_back({material_name(surface, shown), shown});
+    return number_of(surface, {material_name(surface, shown), shown});
+}
+
+std::uint32_t Materials::of(Surface surface, const PlanTexture& texture) {
+    const plans::SurfaceTexture& laid = texture.laid;
+    const accel::InputTexture& picture = *building_.pictures[texture.picture];
+    const std::array<float, 4> mean = accel::mean_of(picture);
+    accel::InputMaterial material{std::string(accel::name_of(surface)) + " " + laid.picture,
+                                  {mean[0], mean[1], mean[2]}};
+    material.look.texture = texture.picture;
+    // Moved along the surface, turned against the picture's own turn, then counted in repeats. Ceilings are seen from
+    // below: what runs to the right there runs to the left on the plan.
+    const double c = std::cos(laid.angle), s = std::sin(laid.angle);
+    const double u = surface == Surface::Ceiling ? -1 : 1;
+    const double right = laid.offset_x * laid.width, up = laid.offset_y * laid.height;
+    const double w = 1 / laid.width, h = 1 / laid.height;
+    material.look.texture_from_face = {float(w * u * c), float(w * s),  float(-w * (c * right + s * up)),
+                                       float(h * u * s), float(-h * c), float(h * (c * up - s * right))};
+    return number_of(surface, std::move(material));
+}
+
+std::uint32_t Materials::number_of(Surface surface, accel::InputMaterial material) {
+    const auto [at, is_new] =
+        known_.try_emplace({surface, material.colour, material.look}, std::uint32_t(materials_.size()));
+    if (is_new) materials_.push_back(std::move(material));
     return at->second;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "modeler/lighting/lamps_text.h"
 #include "modeler/objects/furnishing_text.h"
+#include "modeler/objects/scene_textures.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -153,6 +154,7 @@ Json meta_json(const Building& building) {
     meta["wall_colours"] = Json::array();
     for (const WallColour& wall : building.wall_colours)
         meta["wall_colours"].push_back({wall.line, wall.wall_space, wall.colour});
+    if (!building.pictures.empty()) meta["pictures"] = building.pictures.size();
     meta["findings"] = Json::array();
     for (const Finding& finding : building.findings) meta["findings"].push_back(finding_json(finding));
     return meta;
@@ -185,6 +187,14 @@ void read_meta(const Json& meta, Building& building) {
     for (const Json& row : meta.at("wall_colours"))
         building.wall_colours.push_back({row.at(0), row.at(1), row.at(2).get<plans::Colour>()});
     for (const Json& row : meta.at("findings")) building.findings.push_back(finding_from(row));
+}
+
+/// The pictures of its plan are the scene's first textures.
+void read_pictures(std::size_t count, const accel::SceneView& scene, Building& building) {
+    if (count == 0) return;
+    if (count > scene.textures.size()) damaged("pictures of its walls are missing");
+    building.pictures = scene_textures(scene);
+    building.pictures.resize(count);
 }
 
 /// Every index of the tables, so that nothing that works on the building can run out of them.
@@ -253,7 +263,9 @@ Building read_model(const accel::Scene& scene) {
     Building building;
     try {
         building.plan_json = text_of(scene, "m.plan");
-        read_meta(Json::parse(text_of(scene, "m.meta")), building);
+        const Json meta = Json::parse(text_of(scene, "m.meta"));
+        read_meta(meta, building);
+        read_pictures(meta.value("pictures", std::size_t{0}), scene.view(), building);
         gmap::MapArrays map;
         const char* cells[] = {"m.dart.vertex", "m.dart.edge", "m.dart.face", "m.dart.volume"};
         for (std::size_t i = 0; i < 4; ++i) {

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "modeler/export_scene.h"
 #include "modeler/lighting/rule_lamps.h"
+#include "modeler/surface_textures.h"
 #include "plans/read.h"
 #include "render/executor.h"
 #include "tools/bench.h"
@@ -66,6 +67,7 @@ Built build_scene(const BuildCommandOptions& options, const Console& console) {
         });
         progress.next();
         built.modelled = model(plan, options.model, progress, [&](modeler::Building& building) {
+            modeler::read_surface_pictures(building, options.plan, options.furnish.texture_side);
             if (furniture->is_wanted()) furniture->put_into(building, progress);
             if (lamps) modeler::light_building(building, *lamps, furniture->catalogue(), *render::make_executor());
         });

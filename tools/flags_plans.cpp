@@ -119,8 +119,8 @@ void add_furnish_flags(CLI::App* command, FurnishFlags& furnish) {
             [&furnish](const std::string& side) {
                 furnish.texture_side = side == "none" ? 0 : static_cast<std::uint32_t>(std::stoul(side));
             },
-            "pictures on furniture, scaled down to this many texels a side: sharper ones take more memory; none: their "
-            "mean colours (1024)")
+            "pictures on furniture, walls and floors, scaled down to this many texels a side: sharper ones take more "
+            "memory; none: plain colours (1024)")
         ->option_text("SIZE")
         ->check(CLI::IsMember({"none"}) | CLI::Range(1u, 16384u));
     add_value(command, "--detail", furnish.detail, "N", "of our own pieces: 1 plain, 2 and more rounder and finer (1)")

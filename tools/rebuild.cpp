@@ -45,6 +45,7 @@ modeler::Building rebuilt(const modeler::Building& read, const std::string& opti
                          "from its plan, or with --objects list.");
     building.findings.clear();
     building.lamps = read.lamps;
+    building.pictures = read.pictures;
     return building;
 }
 

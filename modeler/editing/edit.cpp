@@ -25,6 +25,7 @@ Building with_boxes(const Building& building, std::vector<Box> boxes, const acce
     edited.opaque_glass = building.opaque_glass;
     edited.furnishing = building.furnishing;
     edited.lamps = building.lamps;
+    edited.pictures = building.pictures;
     edited.max_deviation = std::max(edited.max_deviation, building.max_deviation);
     std::vector<Finding> findings = building.findings;
     // What rounding has done to this stack is known anew.

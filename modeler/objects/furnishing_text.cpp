@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "accel/texture_chain.h"
 #include "base/error.h"
+#include "modeler/objects/scene_textures.h"
 
 namespace enfilade::modeler {
 namespace {
@@ -62,23 +62,6 @@ FurnishedObject object_from(const Json& json) {
 }
 
 using Textures = std::vector<std::shared_ptr<const accel::InputTexture>>;
-
-/// The scene's textures, as they were given.
-Textures textures_of(const accel::SceneView& scene) {
-    Textures textures;
-    for (const accel::Texture& from : scene.textures) {
-        auto texture = std::make_shared<accel::InputTexture>();
-        texture->name = scene.string(from.name);
-        texture->width = from.width;
-        texture->height = from.height;
-        texture->level_count = from.level_count;
-        const std::uint64_t end = from.first_texel + accel::texel_count(from.width, from.height);
-        for (std::uint64_t t = from.first_texel; t < end; ++t)
-            texture->texels.push_back({scene.texels[t].r, scene.texels[t].g, scene.texels[t].b, scene.texels[t].a});
-        textures.push_back(std::move(texture));
-    }
-    return textures;
-}
 
 /// A material of the scene as one of a mesh, whose textures it adds.
 ObjectMaterial material_from(const accel::SceneView& scene, accel::MaterialId id, const Textures& textures,
@@ -146,7 +129,7 @@ Furnishing read_furnishing(const std::string& text, const accel::SceneView& scen
         if (object.mesh >= scene.meshes.size() || object.space >= spaces.size())
             damaged("an object of no mesh or no room");
     }
-    const Textures textures = textures_of(scene);
+    const Textures textures = scene_textures(scene);
     for (const accel::ObjectMesh& mesh : scene.meshes) furnishing.meshes.push_back(mesh_from(scene, mesh, textures));
     return furnishing;
 }
