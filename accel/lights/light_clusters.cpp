@@ -135,23 +135,43 @@ private:
     std::vector<Cluster> clusters_;
 };
 
+/// How a cell sees a lamp that it lists.
+enum class Sight : std::uint8_t {
+    Partly,  ///< where a beam's planes and objects let it
+    Whole,   ///< from everywhere, past nothing
+    Unknown  ///< a walk finds out
+};
+
+/// A lamp in the list of a cell, by its place in the order of clusters.
+struct Listed {
+    std::uint32_t place;
+    std::uint32_t beam;
+    Sight sight;
+};
+
 /// The list of one cell.
 class ListShortener {
 public:
-    ListShortener(const ClusterTrees& trees, double error) : trees_(trees), error_(error) {}
+    ListShortener(const ClusterTrees& clusters, const LightTreesView& trees, double error)
+        : trees_(clusters), beams_(trees), error_(error) {}
 
     std::vector<CellLight> shorten(std::span<const CellLight> list, const Box& cell) {
-        places_.clear();
-        for (const CellLight& entry : list)
-            if (trees_.place(entry.light) != UINT32_MAX) places_.push_back(trees_.place(entry.light));
-        std::sort(places_.begin(), places_.end());
-        places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+        listed_.clear();
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            const std::uint32_t place = trees_.place(list[k].light);
+            if (place == UINT32_MAX) continue;
+            if (k > 0 && list[k - 1].light == list[k].light) listed_.back().sight = Sight::Partly;
+            else listed_.push_back({place, list[k].beam, sight_of(list[k].beam)});
+        }
+        std::ranges::sort(listed_, {}, &Listed::place);
         chosen_.clear();
+        beams_of_chosen_.clear();
         for (const std::uint32_t root : trees_.roots()) choose(root, cell);
         std::vector<CellLight> shorter;
         for (const CellLight& entry : list)
             if (!is_in_cluster(trees_.place(entry.light))) shorter.push_back(entry);
-        for (const std::uint32_t c : chosen_) shorter.push_back({trees_.clusters()[c].light, no_beam});
+        for (std::size_t k = 0; k < chosen_.size(); ++k)
+            shorter.push_back({trees_.clusters()[chosen_[k]].light, beams_of_chosen_[k]});
         std::stable_sort(shorter.begin(), shorter.end(),
                          [](const CellLight& a, const CellLight& b) { return a.light < b.light; });
         return shorter;
@@ -161,15 +181,32 @@ private:
     void choose(std::uint32_t number, const Box& cell) {
         const Cluster& cluster = trees_.clusters()[number];
         if (cluster.count < 2) return;
-        const auto begin = std::ranges::lower_bound(places_, cluster.first);
-        const auto listed = std::ranges::lower_bound(places_, cluster.first + cluster.count) - begin;
-        if (listed < 2) return;
-        if (listed == cluster.count && size_of(cluster.box) <= error_ * distance(cluster.box, cell)) {
+        const auto begin = std::ranges::lower_bound(listed_, cluster.first, {}, &Listed::place);
+        const auto end = std::ranges::lower_bound(listed_, cluster.first + cluster.count, {}, &Listed::place);
+        if (end - begin < 2) return;
+        if (end - begin == cluster.count && size_of(cluster.box) <= error_ * distance(cluster.box, cell) &&
+            are_seen_alike({begin, end})) {
             chosen_.push_back(number);  // by ascending place: halves are asked in order
+            beams_of_chosen_.push_back(begin->beam);
             return;
         }
         choose(cluster.left, cell);
         choose(cluster.right, cell);
+    }
+
+    [[nodiscard]] Sight sight_of(std::uint32_t beam) const {
+        if (beam == no_beam) return Sight::Unknown;
+        const bool is_past_objects = beams_.beam_object_lists.size() != 0 && beams_.objects_of(beam).count != 0;
+        return beams_.beams[beam].plane_count == 0 && !is_past_objects ? Sight::Whole : Sight::Partly;
+    }
+
+    /// Whether one of them can stand for all: a beam that holds all of the cell does so for any lamp.
+    [[nodiscard]] bool are_seen_alike(std::span<const Listed> lamps) const {
+        const Listed& first = lamps.front();
+        return std::ranges::all_of(lamps, [&](const Listed& lamp) {
+            return lamp.sight == first.sight && lamp.sight != Sight::Partly &&
+                   (lamp.sight == Sight::Unknown || beams_.beams[lamp.beam].tint == beams_.beams[first.beam].tint);
+        });
     }
 
     [[nodiscard]] bool is_in_cluster(std::uint32_t place) const {
@@ -182,8 +219,11 @@ private:
     }
 
     const ClusterTrees& trees_;
+    const LightTreesView& beams_;
     double error_;
-    std::vector<std::uint32_t> places_, chosen_;
+    std::vector<Listed> listed_;
+    std::vector<std::uint32_t> chosen_;
+    std::vector<std::uint32_t> beams_of_chosen_;  ///< [chosen]
 };
 
 }  // namespace
@@ -204,7 +244,7 @@ LightClusters cluster_lights(const SceneView& view, const LightTreesView& trees,
     ClusterTrees clusters(view);
     std::vector<std::vector<CellLight>> lists(view.cells.size());
     parallel_for(executor, lists.size(), 64, [&](std::size_t begin, std::size_t end) {
-        ListShortener shortener(clusters, options.error);
+        ListShortener shortener(clusters, trees, options.error);
         for (std::size_t c = begin; c < end; ++c) {
             const std::uint32_t first = trees.cell_offsets[c];
             const std::span<const CellLight> list = {trees.cell_lights.first + first,
@@ -220,6 +260,10 @@ LightClusters cluster_lights(const SceneView& view, const LightTreesView& trees,
         all.cell_lights_.insert(all.cell_lights_.end(), list.begin(), list.end());
         all.cell_offsets_.push_back(static_cast<std::uint32_t>(all.cell_lights_.size()));
     }
+    std::vector<bool> is_listed(all.lights_.size());
+    for (const CellLight& entry : all.cell_lights_) is_listed[index(entry.light)] = true;
+    all.listed_count_ = static_cast<std::size_t>(
+        std::count(is_listed.begin() + std::ptrdiff_t(all.lamp_count_), is_listed.end(), true));
     return all;
 }
 

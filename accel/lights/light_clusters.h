@@ -17,8 +17,7 @@ struct LightClusterOptions {
 };
 
 /// The lists of cells with clusters in the place of their lamps. A cluster is a lamp of its own: the sum of the
-/// intensities at their mean place, without tree (whether it is seen takes a walk). Movable; views stay valid while it
-/// lives.
+/// intensities at their mean place. Movable; views stay valid while it lives.
 class LightClusters {
 public:
     /// The scene's lights, then the clusters: for a copy of the SceneView. Not for LampSearch::Naive, which would count
@@ -28,19 +27,24 @@ public:
     [[nodiscard]] LightTreesView lists(LightTreesView trees) const;
     /// Lamps of which clusters can be: at most one less than the scene's.
     [[nodiscard]] std::size_t cluster_count() const { return lights_.size() - lamp_count_; }
+    /// Those that a cell lists.
+    [[nodiscard]] std::size_t listed_count() const { return listed_count_; }
     [[nodiscard]] std::size_t bytes() const;
 
 private:
     friend LightClusters cluster_lights(const SceneView&, const LightTreesView&, const LightClusterOptions&,
                                         const Executor&);
     std::size_t lamp_count_ = 0;
+    std::size_t listed_count_ = 0;
     std::vector<Light> lights_;
     std::vector<std::uint32_t> cell_offsets_;
     std::vector<CellLight> cell_lights_;
 };
 
-/// Clusters are of lamps in one cell, all of which the lit cell lists; balls stay alone. The same on any number of
-/// threads. \pre 0 <= error < 1
+/// Clusters are of lamps in one cell, all of which the lit cell lists; balls stay alone. With light trees only lamps
+/// are joined that all of the lit cell sees in the same tint, past no object: the cluster is seen as they are, and
+/// nothing is asked, because a walk costs more than the planes of many lamps. Lamps without tree are joined where all
+/// of them are listed, and their cluster takes one walk. The same on any number of threads. \pre 0 <= error < 1
 [[nodiscard]] LightClusters cluster_lights(const SceneView& view, const LightTreesView& trees,
                                            const LightClusterOptions& options, const Executor& executor);
 

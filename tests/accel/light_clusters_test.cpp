@@ -39,14 +39,17 @@ protected:
     }
 };
 
-TEST_F(Clusters, ShortenListsWithinTheErrorAskedFor) {
+TEST_F(Clusters, OfLampsWithoutTreesShortenListsWithinTheErrorAskedFor) {
     const double error = 0.2;
-    const LightClusters clusters = cluster_lights(lit.view, trees, {.error = error}, SerialExecutor());
-    const LightTreesView lists = clusters.lists(trees);
+    const test::LitScene flat(scene.view(), lit.lights, {.trees = false});
+    const LightTreesView walked = flat.trees.view();
+    const LightClusters clusters = cluster_lights(flat.view, walked, {.error = error}, SerialExecutor());
+    const LightTreesView lists = clusters.lists(walked);
+    for (const CellLight& entry : lists.cell_lights) ASSERT_EQ(entry.beam, no_beam) << "seen by a walk";
     const double most = 1 / ((1 - error) * (1 - error)) - 1;
     std::size_t before = 0, after = 0;
     for (std::uint32_t c = 0; c < scene.view().cells.size(); ++c) {
-        const auto all = lamps_of(trees, c), shorter = lamps_of(lists, c);
+        const auto all = lamps_of(walked, c), shorter = lamps_of(lists, c);
         EXPECT_TRUE(std::is_sorted(shorter.begin(), shorter.end()));
         before += all.size();
         after += shorter.size();
@@ -61,6 +64,34 @@ TEST_F(Clusters, ShortenListsWithinTheErrorAskedFor) {
         }
     }
     EXPECT_LT(double(after), 0.8 * double(before));
+}
+
+TEST_F(Clusters, OfLampsWithTreesAreSeenAsTheirLampsWithoutAWalk) {
+    const double error = 0.4;
+    const LightClusters clusters = cluster_lights(lit.view, trees, {.error = error}, SerialExecutor());
+    const LightTreesView lists = clusters.lists(trees);
+    const double most = 1 / ((1 - error) * (1 - error)) - 1;
+    std::size_t joined = 0;
+    for (std::uint32_t c = 0; c < scene.view().cells.size(); ++c) {
+        for (std::uint32_t k = lists.cell_offsets[c]; k < lists.cell_offsets[c + 1]; ++k) {
+            if (index(lists.cell_lights[k].light) < lit.lights.size()) continue;
+            ++joined;
+            ASSERT_NE(lists.cell_lights[k].beam, no_beam);
+            EXPECT_EQ(lists.planes_of(lists.cell_lights[k].beam).count, 0u);
+        }
+        for (int n = 0; n < 5; ++n) {
+            const render::Vec3d p = test::random_point(scene.view(), c, random);
+            std::vector<std::uint32_t> seen, shown;
+            for (const std::uint32_t l : lamps_of(trees, c))
+                if (test::walk_sees(scene.view(), p, c, lit.lights[l])) seen.push_back(l);
+            for (const std::uint32_t l : lamps_of(lists, c))
+                if (l >= lit.lights.size() || test::walk_sees(scene.view(), p, c, lit.lights[l])) shown.push_back(l);
+            const double truth = given(clusters.lights(), seen, p);
+            EXPECT_NEAR(given(clusters.lights(), shown, p), truth, most * truth) << "in cell " << c;
+        }
+    }
+    EXPECT_GT(joined, 10u);
+    EXPECT_LE(clusters.listed_count(), joined);
 }
 
 TEST_F(Clusters, StandInTheCellOfTheirLamps) {
