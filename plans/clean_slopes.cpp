@@ -58,6 +58,12 @@ std::string fresh_id(const std::string& wish, std::unordered_set<std::string>& i
     return id;
 }
 
+/// Textures begin at the start of their wall: of a piece that begins `along` behind it they are moved back.
+void go_on(Wall& piece, double along) {
+    if (piece.left_texture) piece.left_texture->offset_x += along / piece.left_texture->width;
+    if (piece.right_texture) piece.right_texture->offset_x -= along / piece.right_texture->width;
+}
+
 /// The pieces of a sloped wall, each as high as the wall's middle over it: the volume stays.
 std::vector<Wall> pieces_of(const Wall& wall, const std::vector<double>& at, std::unordered_set<std::string>& ids) {
     const WallAxis axis = axis_of(wall);
@@ -72,6 +78,7 @@ std::vector<Wall> pieces_of(const Wall& wall, const std::vector<double>& at, std
         piece.arc_extent = wall.arc_extent * (to - from);
         piece.height_at_start = piece.height_at_end =
             wall.height_at_start + (wall.height_at_end - wall.height_at_start) * (from + to) / 2;
+        go_on(piece, at[k]);
         pieces.push_back(std::move(piece));
     }
     return pieces;

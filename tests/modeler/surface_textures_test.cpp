@@ -120,6 +120,21 @@ TEST(SurfaceTextures, StandOnTheFloorFromTheStartOfTheirWall) {
     EXPECT_GE(outside, 12u);
 }
 
+TEST(SurfaceTextures, GoOnOverTheStepsOfASlope) {
+    const std::string sloped = R"(, "height_at_start": 2.5, "height_at_end": 1.5)" +
+                               texture("left_texture", "brick", R"("width": 0.5, "height": 0.25)") +
+                               texture("right_texture", "stone", R"("width": 2, "height": 1, "angle_deg": 90)");
+    const Building building = textured(room_plan(sloped, ""), {"brick", "stone"});
+    std::size_t steps = 0;
+    for (const Space& space : building.spaces) steps += space.label == Label::Wall && space.id.starts_with("s/");
+    EXPECT_GE(steps, 3u);
+    for (const LaidCorner& corner : laid_corners(scene_input(building))) {
+        const double along = corner.at[0] - 10, up = corner.at[2] - 1;
+        EXPECT_NEAR(corner.s, corner.surface == Surface::WallPaper ? -along / 0.5 : up / 2, 2e-3);
+        EXPECT_NEAR(corner.t, corner.surface == Surface::WallPaper ? -up / 0.25 : along, 2e-3);
+    }
+}
+
 TEST(SurfaceTextures, LieOnFloorsFromTheOriginOfThePlan) {
     const std::string floor = texture("floor_texture", "wood", R"("width": 1, "height": 2)");
     const std::string turned = texture("floor_texture", "wood", R"("width": 1, "height": 2, "angle_deg": 90,
