@@ -85,10 +85,10 @@ private:
         objects_ = options.objects != nullptr ? *options.objects : own_objects_->tracer();
     }
     void prepare_lamps(const PathOptions& options) {
-        if (options.search != LampSearch::Naive && options.trees == nullptr)
+        if (options.search != LampSearch::Naive && !options.trees)
             own_trees_ = accel::build_light_trees(scene_, {.trees = options.search == LampSearch::Tree, .balls = true},
                                                   *executor_);
-        lamps_ = {(options.trees != nullptr ? *options.trees : own_trees_).view(), options.search, options.exposure};
+        lamps_ = {options.trees ? *options.trees : own_trees_.view(), options.search, options.exposure};
         for (const accel::Light& light : scene_.lights) ball_cells_.push_back(cell_of_ball(scene_, light));
         light_.lamps = &lamps_;
         light_.ball_cells = ball_cells_.data();

@@ -40,9 +40,9 @@ struct PathOptions {
 
     bool lamps = true;  ///< whether the scene's lamps shine
     LampSearch search = LampSearch::Tree;
-    float exposure = 1;                        ///< what a white surface in a light of pi lux becomes in the picture
-    const accel::LightTrees* trees = nullptr;  ///< nullptr: built for this picture; those of others need
-                                               ///< LightTreeOptions::balls where lamps have a radius
+    float exposure = 1;                          ///< what a white surface in a light of pi lux becomes in the picture
+    std::optional<accel::LightTreesView> trees;  ///< nothing: built for this picture; those of others need
+                                                 ///< LightTreeOptions::balls where lamps have a radius
 
     Look look;                     ///< its sky and sun; the rest of it is for `trace`
     float sky = 1;                 ///< what the Look's sky is multiplied by; 0: dark

@@ -67,10 +67,9 @@ auto lambert_kernel(Tracer tracer, const detail::TileJob& job) {
 Lamps prepared(const accel::SceneView& scene, const LampOptions& options, const accel::Executor& executor,
                accel::LightTrees& own) {
     const bool needs_trees = options.search != LampSearch::Naive;
-    if (needs_trees && options.trees == nullptr)
+    if (needs_trees && !options.trees)
         own = accel::build_light_trees(scene, {.trees = options.search == LampSearch::Tree}, executor);
-    const accel::LightTrees& trees = options.trees != nullptr ? *options.trees : own;
-    return {trees.view(), options.search, options.exposure};
+    return {options.trees ? *options.trees : own.view(), options.search, options.exposure};
 }
 
 }  // namespace

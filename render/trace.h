@@ -25,8 +25,8 @@ enum class Shading {
 /// Light from the scene's lamps (SceneView::lights), instead of one at the eye.
 struct LampOptions {
     LampSearch search = LampSearch::Tree;
-    float exposure = 1;                        ///< what a white surface in a light of pi lux becomes in the picture
-    const accel::LightTrees* trees = nullptr;  ///< of Pvs and Tree; nullptr: built for this picture
+    float exposure = 1;                          ///< what a white surface in a light of pi lux becomes in the picture
+    std::optional<accel::LightTreesView> trees;  ///< of Pvs and Tree; nothing: built for this picture
 };
 
 struct TraceOptions {

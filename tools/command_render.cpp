@@ -162,8 +162,9 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
         made.lit = LitPictures(view, choices.lights, made.shots, shared, is_linear(options, choices.lights));
         progress.next();
     }
+    const accel::SceneView lit = made.lit.lit(view);
     if (choices.path.is_on)
-        made.paths_of_light.emplace(view, choices.path, choices.lights, made.shots, shared, made.lit);
+        made.paths_of_light.emplace(lit, choices.path, choices.lights, made.shots, shared, made.lit);
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
@@ -177,7 +178,7 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
         shot.seconds = seconds_of([&] {
             if (counts) image = counts->picture(shot.view, watched, scale_rows(options));
             else if (made.paths_of_light) image = made.paths_of_light->picture(shot, shared, made.lit, told);
-            else image = render_view(options, choice, view, shot, shared, made.lit);
+            else image = render_view(options, choice, lit, shot, shared, made.lit);
         });
         files.write(k, image);
     }

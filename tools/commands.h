@@ -141,6 +141,7 @@ struct LightFlags {
     std::string search;                 ///< "none", "naive", "pvs" or "tree"; empty: none
     std::string exposure;               ///< "auto", or an exposure value; empty: auto
     std::optional<double> ambient_lux;  ///< nothing: by the exposure
+    std::optional<double> clusters;     ///< how large clusters of lamps may be, over their distance; nothing: none
 };
 
 /// Light that goes from surface to surface: flags of `render` (path_pictures.h).

@@ -39,6 +39,14 @@ void check_lit(const RenderOptions& options) {
     if (is_mesh_file(options.scene)) refuse("A mesh by itself has no lamps: leave out --lights.");
 }
 
+void check_clusters(const LightChoice& choice) {
+    if (!choice.cluster_error) return;
+    if (*choice.search == render::LampSearch::Naive)
+        refuse("--lights naive asks each lamp by itself: give --lights tree or pvs, or leave out --light-clusters.");
+    if (!(*choice.cluster_error >= 0 && *choice.cluster_error < 1))
+        refuse("--light-clusters is how large clusters may be for their distance, from 0 to under 1: 0.1 is fine.");
+}
+
 }  // namespace
 
 const char* LightChoice::name() const {
@@ -52,6 +60,8 @@ LightChoice light_choice(const RenderOptions& options) {
     LightChoice choice;
     if (flags.search.empty() || flags.search == "none") {
         if (flags.ambient_lux) refuse("--ambient is for pictures lit by lamps: give --lights tree, too.");
+        if (flags.clusters)
+            refuse("--light-clusters is for pictures lit by lamps: give --lights tree or --lights pvs, too.");
         if (!flags.exposure.empty() && options.path.integrator != "path")
             refuse(
                 "--exposure is for pictures lit by lamps or by paths: give --lights tree or --integrator path, too.");
@@ -69,6 +79,8 @@ LightChoice light_choice(const RenderOptions& options) {
         refuse("--ambient is lux, from 0 to 1000000: 10 suit a room whose lamps give 100.");
     if (choice.ambient_lux && options.shading == "lambert")
         refuse("With --shading lambert lamps shine alone: leave out --ambient.");
+    choice.cluster_error = flags.clusters;
+    check_clusters(choice);
     return choice;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What --lights, --exposure and --ambient ask for.
+// What --lights, --exposure, --ambient and --light-clusters ask for.
 
 #include <optional>
 #include <string>
@@ -14,6 +14,7 @@ struct LightChoice {
     std::optional<render::LampSearch> search;  ///< nothing: they do not
     std::optional<double> exposure_ev;         ///< nothing: by the picture
     std::optional<double> ambient_lux;         ///< nothing: by the exposure
+    std::optional<double> cluster_error;       ///< LightClusterOptions::error; nothing: no clusters
     bool are_balls = false;                    ///< lamps shine with all of their ball, as paths follow them
     /// As --lights takes it.
     [[nodiscard]] const char* name() const;

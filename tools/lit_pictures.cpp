@@ -32,9 +32,20 @@ LitPictures::LitPictures(const accel::SceneView& scene, const LightChoice& choic
             trees_ = accel::build_light_trees(
                 scene, {.trees = *choice.search == render::LampSearch::Tree, .balls = choice.are_balls}, *how.executor);
         });
+    if (choice.cluster_error)
+        cluster_seconds_ = seconds_of([&] {
+            clusters_ = accel::cluster_lights(scene, trees_.view(), {.error = *choice.cluster_error}, *how.executor);
+        });
     ev_ = choice.exposure_ev.value_or(usual_ev);
-    if (!choice.exposure_ev) meter(scene, shots, how);
+    if (!choice.exposure_ev) meter(lit(scene), shots, how);
 }
+
+accel::SceneView LitPictures::lit(accel::SceneView scene) const {
+    if (clusters_) scene.lights = clusters_->lights();
+    return scene;
+}
+
+accel::LightTreesView LitPictures::lists() const { return clusters_ ? clusters_->lists(trees_.view()) : trees_.view(); }
 
 void LitPictures::meter(const accel::SceneView& scene, std::span<const Shot> shots, const render::TraceOptions& how) {
     std::vector<render::Image> small;
@@ -55,8 +66,9 @@ void LitPictures::meter(const accel::SceneView& scene, std::span<const Shot> sho
 }
 
 render::LampOptions LitPictures::lamps(double exposure) const {
-    return {*choice_.search, static_cast<float>(exposure),
-            *choice_.search == render::LampSearch::Naive ? nullptr : &trees_};
+    render::LampOptions options{.search = *choice_.search, .exposure = static_cast<float>(exposure)};
+    if (options.search != render::LampSearch::Naive) options.trees = lists();
+    return options;
 }
 
 double LitPictures::ambient_lux() const {
@@ -96,10 +108,18 @@ std::string LitPictures::report() const {
         if (*choice_.search == render::LampSearch::Tree)
             text += ", " + counted(view.beams.size(), "beam") + ", " + counted(view.planes.size(), "plane");
         text += ", " + byte_text(double(trees_.bytes())) + ", made in " + time_text(seconds_);
-        if (trees_.lamps_without_tree() != 0)
+        if (*choice_.search == render::LampSearch::Tree && trees_.lamps_without_tree() != 0)
             text += "; " + counted(trees_.lamps_without_tree(), "lamp") + " of too many ways without a tree";
+        if (clusters_) text += cluster_report();
     }
     return text + '\n';
+}
+
+std::string LitPictures::cluster_report() const {
+    return "\nclusters: " + grouped(clusters_->listed_count()) + "; " +
+           plans::rounded_text(double(lists().cell_lights.size()) / double(cell_count_), 2) +
+           " entries in a cell's list with them, " + byte_text(double(clusters_->bytes())) + ", made in " +
+           time_text(cluster_seconds_);
 }
 
 nlohmann::ordered_json LitPictures::json() const {
@@ -110,6 +130,7 @@ nlohmann::ordered_json LitPictures::json() const {
     json["ambient_lux"] = ambient_lux();
     json["unit"] = is_linear_ ? "candela/m2" : "white";
     json["trees"] = nullptr;
+    json["clusters"] = nullptr;
     if (*choice_.search == render::LampSearch::Naive) return json;
     const accel::LightTreesView view = trees_.view();
     json["trees"] = {{"cells", cell_count_},
@@ -119,6 +140,12 @@ nlohmann::ordered_json LitPictures::json() const {
                      {"bytes", trees_.bytes()},
                      {"lamps_without_tree", trees_.lamps_without_tree()},
                      {"seconds", seconds_}};
+    if (clusters_)
+        json["clusters"] = {{"error", *choice_.cluster_error},
+                            {"clusters", clusters_->listed_count()},
+                            {"cell_lights", lists().cell_lights.size()},
+                            {"bytes", clusters_->bytes()},
+                            {"seconds", cluster_seconds_}};
     return json;
 }
 

@@ -107,7 +107,7 @@ protected:
         options.packets = variant.packets;
         options.mirror_floor = mirror_floor;
         options.executor = &executor;
-        options.lamps = LampOptions{LampSearch::Tree, exposure, &trees_};
+        options.lamps = LampOptions{LampSearch::Tree, exposure, trees_.view()};
         return trace(scene_.view(), camera, options);
     }
 

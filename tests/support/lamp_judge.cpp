@@ -132,7 +132,7 @@ PictureTally judge_pictures(const accel::SceneView& scene, const Camera& camera,
     options.executor = executor.get();
     options.objects = objects;
     if (!options.lamps) options.lamps = LampOptions{.exposure = 0.02f};
-    options.lamps->trees = &trees;
+    options.lamps->trees = trees.view();
     options.lamps->search = LampSearch::Naive;
     const Image walked = trace(scene, camera, options);
     const bool is_direct = !options.cut_z && !(options.mirror_floor > 0) && options.samples_per_pixel == 1;
