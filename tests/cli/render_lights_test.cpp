@@ -112,6 +112,57 @@ TEST_F(RenderLights, LampsAreForEveryWayToLook) {
         EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
 }
 
+TEST_F(RenderLights, NoClustersChangeNothingAndSmallOnesLittle) {
+    const Words plain = {"--lights", "pvs", "--shading", "lambert"};
+    const auto with = [&](const char* search, const char* error) {
+        Words words = {"--lights", search, "--shading", "lambert", "--light-clusters", error};
+        return words;
+    };
+    EXPECT_TRUE(said("plain.exr", plain)["lights"]["clusters"].is_null());
+    const render::Image truth = image("plain.exr");
+    const json none = said("none.exr", with("pvs", "0"))["lights"];
+    EXPECT_EQ(none["clusters"]["clusters"], 0);
+    EXPECT_EQ(image("none.exr"), truth);
+    for (const char* search : {"pvs", "tree"}) {
+        const json some = said("some.exr", with(search, "0.2"))["lights"]["clusters"];
+        EXPECT_EQ(some["error"], 0.2);
+        EXPECT_GT(some["bytes"], 0);
+        EXPECT_NEAR(mean(image("some.exr")), mean(truth), 0.05 * mean(truth)) << search;
+    }
+    (void)said("many.exr", with("pvs", "0.9"));
+    EXPECT_NEAR(mean(image("many.exr")), mean(truth), 0.5 * mean(truth));
+}
+
+TEST_F(RenderLights, ClustersOfManyLampsStandForThem) {
+    // A row of lamps under a ceiling, many to the metre.
+    json plan = json::parse(std::ifstream(folder() / "office.json"));
+    const json light = plan["storeys"][0]["lights"][0];
+    for (int k = 1; k <= 200; ++k) {
+        json copy = light;
+        copy["id"] = "row-" + std::to_string(k);
+        copy["position"][0] = double(light["position"][0]) + 0.004 * k;
+        plan["storeys"][0]["lights"].push_back(copy);
+    }
+    std::ofstream(folder() / "row.json") << plan;
+    const Outcome built = run({"build", "row.json", "-o", "row.enf"});
+    ASSERT_EQ(built.exit_code, 0) << built.err;
+    const auto rendered = [&](const std::string& picture, Words words) {
+        words.insert(words.begin(), {"render", "row.enf", "-o", picture, "--camera", "dollhouse:0", "--size", "48x32",
+                                     "--shading", "lambert", "--json"});
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json::parse(outcome.out, nullptr, false)["lights"];
+    };
+    for (const char* search : {"pvs", "tree"}) {
+        const json all = rendered("all.exr", {"--lights", search});
+        const json some = rendered("joined.exr", {"--lights", search, "--light-clusters", "0.7"});
+        EXPECT_GT(some["clusters"]["clusters"], 0);
+        EXPECT_LT(some["clusters"]["cell_lights"], all["trees"]["cell_lights"]) << search;
+        EXPECT_NEAR(mean(image("joined.exr")), mean(image("all.exr")), 0.05 * mean(image("all.exr"))) << search;
+        EXPECT_NE(image("joined.exr"), image("all.exr")) << "the lamps that stand for others shine";
+    }
+}
+
 TEST_F(RenderLights, OneExposureServesAllViewsOfARun) {
     ASSERT_EQ(run({"tour", "office.enf", "-o", "lit.views.json", "--views", "3"}).exit_code, 0);
     const Outcome outcome = run({"render", "office.enf", "--views", "lit.views.json", "-o", "lit/", "--size", "24x16",
@@ -154,6 +205,13 @@ TEST_F(RenderLights, RefusesWhatIsWrongOrMeansNothingBeforeTheWork) {
         {{"--exposure", "6"}, "--lights tree"},
         {{"--ambient", "6"}, "--lights tree"},
         {{"--lights", "none", "--exposure", "6"}, "--lights tree"},
+        {{"--lights", "tree", "--light-clusters", "1"}, "under 1"},
+        {{"--lights", "tree", "--light-clusters", "-0.1"}, "under 1"},
+        {{"--lights", "tree", "--light-clusters", "nan"}, "under 1"},
+        {{"--lights", "tree", "--light-clusters", "small"}, "small"},
+        {{"--lights", "naive", "--light-clusters", "0.1"}, "--lights tree"},
+        {{"--lights", "none", "--light-clusters", "0.1"}, "--lights tree"},
+        {{"--light-clusters", "0.1"}, "--lights tree"},
     };
     for (const auto& [words, part] : wrong) {
         Words all = {"render", "absent.enf", "-o", "wrong.png"};
