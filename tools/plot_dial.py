@@ -11,7 +11,7 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
-NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+|lights|light-[a-z]+|samples|path-[a-z]+) (\S+): (.+)")
+NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+|lights|light-[a-z-]+|samples|path-[a-z]+) (\S+): (.+)")
 PACKET_ROW = re.compile(r"packet (\d+) to (\d+): speed")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
 # What furniture's options cost: their first panel's quantity, its label, and the panel's title.
@@ -35,6 +35,7 @@ LIGHTS = {
     "lights": "which lamps are walked to",
     "light-real": "light trees in",
     "light-clusters": "lamps that stand for others",
+    "light-clusters-pvs": "lamps that stand for others, walks",
     "samples": "samples a pixel",
     "path-samples": "samples of paths a pixel",
     "path-lamps": "lamps asked at each place of a path",
@@ -53,7 +54,7 @@ def curves(rows):
 
 
 def bars(rows):
-    """option -> quantity -> value of the option -> measured, for options that are chosen by name"""
+    """option -> quantity -> value of the option -> measured (on the last scene), for options that are chosen by name"""
     found = {}
     for row in rows:
         match = NAMED_ROW.fullmatch(row["row"]) if row["bench"] == "dial" else None

@@ -142,11 +142,15 @@ enum class Sight : std::uint8_t {
     Unknown  ///< a walk finds out
 };
 
+/// What a walk costs, in planes that are asked; measured outdoors, where walks are short.
+constexpr std::uint32_t cost_of_walk = 16;
+
 /// A lamp in the list of a cell, by its place in the order of clusters.
 struct Listed {
     std::uint32_t place;
-    std::uint32_t beam;
+    std::uint32_t beam;  ///< the first one
     Sight sight;
+    std::uint32_t cost;  ///< of asking whether it is seen: beams and their planes
 };
 
 /// The list of one cell.
@@ -160,8 +164,10 @@ public:
         for (std::size_t k = 0; k < list.size(); ++k) {
             const std::uint32_t place = trees_.place(list[k].light);
             if (place == UINT32_MAX) continue;
-            if (k > 0 && list[k - 1].light == list[k].light) listed_.back().sight = Sight::Partly;
-            else listed_.push_back({place, list[k].beam, sight_of(list[k].beam)});
+            if (k == 0 || list[k - 1].light != list[k].light)
+                listed_.push_back({place, list[k].beam, sight_of(list[k].beam), 0});
+            else listed_.back().sight = Sight::Partly;
+            listed_.back().cost += cost_of(list[k].beam);
         }
         std::ranges::sort(listed_, {}, &Listed::place);
         chosen_.clear();
@@ -184,11 +190,13 @@ private:
         const auto begin = std::ranges::lower_bound(listed_, cluster.first, {}, &Listed::place);
         const auto end = std::ranges::lower_bound(listed_, cluster.first + cluster.count, {}, &Listed::place);
         if (end - begin < 2) return;
-        if (end - begin == cluster.count && size_of(cluster.box) <= error_ * distance(cluster.box, cell) &&
-            are_seen_alike({begin, end})) {
-            chosen_.push_back(number);  // by ascending place: halves are asked in order
-            beams_of_chosen_.push_back(begin->beam);
-            return;
+        if (end - begin == cluster.count && size_of(cluster.box) <= error_ * distance(cluster.box, cell)) {
+            const bool is_whole = are_seen_whole({begin, end});
+            if (is_whole || is_walk_cheaper({begin, end})) {
+                chosen_.push_back(number);  // by ascending place: halves are asked in order
+                beams_of_chosen_.push_back(is_whole ? begin->beam : no_beam);
+                return;
+            }
         }
         choose(cluster.left, cell);
         choose(cluster.right, cell);
@@ -200,13 +208,21 @@ private:
         return beams_.beams[beam].plane_count == 0 && !is_past_objects ? Sight::Whole : Sight::Partly;
     }
 
+    [[nodiscard]] std::uint32_t cost_of(std::uint32_t beam) const {
+        return beam == no_beam ? cost_of_walk : 1 + beams_.beams[beam].plane_count;
+    }
+
     /// Whether one of them can stand for all: a beam that holds all of the cell does so for any lamp.
-    [[nodiscard]] bool are_seen_alike(std::span<const Listed> lamps) const {
-        const Listed& first = lamps.front();
+    [[nodiscard]] bool are_seen_whole(std::span<const Listed> lamps) const {
         return std::ranges::all_of(lamps, [&](const Listed& lamp) {
-            return lamp.sight == first.sight && lamp.sight != Sight::Partly &&
-                   (lamp.sight == Sight::Unknown || beams_.beams[lamp.beam].tint == beams_.beams[first.beam].tint);
+            return lamp.sight == Sight::Whole && beams_.beams[lamp.beam].tint == beams_.beams[lamps.front().beam].tint;
         });
+    }
+
+    [[nodiscard]] static bool is_walk_cheaper(std::span<const Listed> lamps) {
+        std::uint64_t cost = 0;
+        for (const Listed& lamp : lamps) cost += lamp.cost;
+        return cost > cost_of_walk;
     }
 
     [[nodiscard]] bool is_in_cluster(std::uint32_t place) const {

@@ -41,10 +41,10 @@ private:
     std::vector<CellLight> cell_lights_;
 };
 
-/// Clusters are of lamps in one cell, all of which the lit cell lists; balls stay alone. With light trees only lamps
-/// are joined that all of the lit cell sees in the same tint, past no object: the cluster is seen as they are, and
-/// nothing is asked, because a walk costs more than the planes of many lamps. Lamps without tree are joined where all
-/// of them are listed, and their cluster takes one walk. The same on any number of threads. \pre 0 <= error < 1
+/// Clusters are of lamps in one cell, all of which the lit cell lists; balls stay alone. Where all of the lit cell sees
+/// all of them in the same tint, past no object, the cluster has a beam without planes: it is seen as they are. Else it
+/// has none and takes a walk, and is made only where that costs less than the planes of its lamps. The same on any
+/// number of threads. \pre 0 <= error < 1
 [[nodiscard]] LightClusters cluster_lights(const SceneView& view, const LightTreesView& trees,
                                            const LightClusterOptions& options, const Executor& executor);
 
