@@ -50,10 +50,9 @@ void add_lights(CLI::App* command, LightFlags& flags) {
     add_value(command, "--ambient", flags.ambient_lux, "LUX",
               "light of no lamp, which corners darken, where lamps shine with --shading look (a tenth of what becomes "
               "white)");
-    add_value(
-        command, "--light-clusters", flags.clusters, "ERROR",
-        "for very many lamps: those that stand together shine as one where they are no larger than this share, "
-        "from 0 to under 1, of their distance. 0.2 changes light by less than 57 %, most of it by far less (none)");
+    add_value(command, "--light-clusters", flags.clusters, "ERROR",
+              "for very many lamps: those that stand together shine as one where they are no larger than this share, "
+              "from 0 to under 1, of their distance. 0.2 is twice as fast with thousands of lamps outdoors (none)");
 }
 
 void add_paths(CLI::App* command, RenderOptions& options) {
