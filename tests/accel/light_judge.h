@@ -67,6 +67,14 @@ inline bool lists(const accel::LightTreesView& trees, std::uint32_t cell, std::u
     return false;
 }
 
+/// Whether planes answer for the lamp in this cell; else a walk does. \pre lists
+inline bool has_beams(const accel::LightTreesView& trees, std::uint32_t cell, std::uint32_t light) {
+    for (std::uint32_t k = trees.cell_offsets[cell]; k < trees.cell_offsets[cell + 1]; ++k)
+        if (static_cast<std::uint32_t>(trees.cell_lights[k].light) == light)
+            return trees.cell_lights[k].beam != accel::no_beam;
+    return true;
+}
+
 /// The first beam of the lamp that holds the place, tested in float as tracers do; nothing where none does.
 inline std::optional<std::uint32_t> beam_at(const accel::LightTreesView& trees, const accel::Light& lamp,
                                             std::uint32_t cell, std::uint32_t light, const render::Vec3d& p) {
@@ -88,6 +96,7 @@ struct LightVerdict {
     std::size_t pairs = 0;
     std::size_t seen = 0;
     std::size_t missed = 0;     ///< seen, and the cell does not list the lamp
+    std::size_t walked = 0;     ///< the lamp has no tree, the walk itself decides
     std::size_t differing = 0;  ///< outside the error band the planes say otherwise than the walk
     std::size_t in_band = 0;    ///< differing inside it
     std::string first;
@@ -107,6 +116,10 @@ public:
         if (seen && !lists(trees_, cell, light)) {
             ++verdict.missed;
             note("missed", p, cell, light);
+            return;
+        }
+        if (!has_beams(trees_, cell, light)) {
+            ++verdict.walked;
             return;
         }
         if (beam_at(trees_, lamp, cell, light, p).has_value() == seen) return;
