@@ -148,8 +148,8 @@ TEST_F(TourCommand, WritesAFileThatRenderTakes) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("5 views"), std::string::npos) << outcome.out;
     EXPECT_EQ(nlohmann::json::parse(read_bytes(folder() / "office.views.json"))["views"].size(), 5u);
-    const Outcome pictures = run(
-        {"render", "office.enf", "--views", "office.views.json", "-o", "office/", "--size", "16x16", "--spp", "1"});
+    const Outcome pictures =
+        run({"render", "office.enf", "--views", "office.views.json", "-o", "office/", "--size", "16x16", "--spp", "1"});
     ASSERT_EQ(pictures.exit_code, 0) << pictures.err;
     EXPECT_EQ(pictures.err, "") << "no cell is stale";
 }
