@@ -38,10 +38,10 @@ rsvg-convert "$scratch/beams.svg" -o docs/light-beams.png
 lit() { "$build/tools/enfilade" render "$house" -o "docs/light-$1.png" --quiet --lights tree "${@:2}"; }
 lit shadows --room Study --size 800x600 --spp 16
 cat >"$scratch/one.json" <<'EOF'
-{"format_version": 1, "replace": true, "rooms": [{"kind": "office", "lux": 300}, {"kind": "default", "lux": 0}]}
+{"format_version": 1, "replace": true, "pieces": [], "outdoor": {"entrance_lumen": 0}, "rooms": [{"kind": "study", "lux": 300}, {"kind": "default", "lux": 0}]}
 EOF
 "$build/tools/enfilade" build plans/examples/townhouse.json -o "$scratch/one.enf" --furnish --lamps "$scratch/one.json" \
     --detail 3 --seed 3 --quiet
 house=$scratch/one.enf lit door --camera 4.9,4.6,1.7:6.2,0.5,0.9 --size 800x600 --spp 16
 lit dollhouse --camera dollhouse:0 --size 960x720 --spp 16
-lit paths --room "Living room" --size 480x360 --integrator path --spp 256
+lit paths --room "Living room" --size 480x360 --integrator path --spp 64
