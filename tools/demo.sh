@@ -69,7 +69,7 @@ done
 # The same in the evening, by its lamps: cut open, and the largest room as light really goes in it.
 "$enfilade" render "$out/$name.enf" -o "$out/evening.png" --camera dollhouse:0 --size 1280x960 --lights tree
 "$enfilade" render "$out/$name.enf" -o "$out/evening-room.png" --room "${rooms[0]}" --size 640x480 --lights tree \
-    --integrator path --spp 32
+    --integrator path --spp 64
 "$enfilade" export "$out/$name.enf" -o "$out/$name.glb"
 
 echo

@@ -70,12 +70,14 @@ bool begin_jpeg(jpeg_decompress_struct& info, JpegError& error, std::string_view
 }
 
 /// One row after the other. row: of 3 * output_width bytes
-bool read_rows(jpeg_decompress_struct& info, JpegError& error, std::uint8_t* row, std::array<std::uint8_t, 4>* to) {
+bool read_rows(jpeg_decompress_struct& info, JpegError& error, std::uint8_t* row,
+               std::array<std::uint8_t, 4>* const pixels) {
     if (setjmp(error.jump) != 0) return false;
     while (info.output_scanline < info.output_height) {
+        std::array<std::uint8_t, 4>* const to = pixels + std::size_t{info.output_scanline} * info.output_width;
         JSAMPROW rows[1] = {row};
         jpeg_read_scanlines(&info, rows, 1);
-        for (std::size_t k = 0; k < info.output_width; ++k) *to++ = {row[3 * k], row[3 * k + 1], row[3 * k + 2], 255};
+        for (std::size_t k = 0; k < info.output_width; ++k) to[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2], 255};
     }
     return true;
 }
