@@ -126,18 +126,24 @@ TEST(LampExtremes, OnFloorsCeilingsWallsCornersAndVerticalLines) {
     const std::vector<Place> at = corners(g.view, g.room);
     const double floor = g.room.z_floor, ceiling = g.room.z_ceiling;
     std::vector<Place> places = {{m[0], m[1], floor}, {m[0], m[1], ceiling}};
+    std::vector<Place> edges;
     for (std::size_t i = 0; i < at.size(); ++i) {
         const Place& p = at[i];
         const Place& q = at[(i + 1) % at.size()];
         for (const double z : {floor, 1.1, ceiling}) {
-            places.push_back({p[0], p[1], z});
+            (z == 1.1 ? edges : places).push_back({p[0], p[1], z});
             places.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, z});
         }
     }
     for (const Place& place : places) {
         SCOPED_TRACE(testing::PrintToString(place));
-        // Exactly on a jamb's edge, in the plane of the wall, it is rounding that says what the wall hides.
-        (void)office_with({lamp_at(0, place)}, place[2] == 1.1 ? 0.1 : 0.01);
+        (void)office_with({lamp_at(0, place)});
+    }
+    for (const Place& place : edges) {
+        SCOPED_TRACE(testing::PrintToString(place));
+        // On the edge of a jamb, at the very end of its opening: whether light passes there is a tie, which walks break
+        // by their vanishing shift, and planes in favour of light.
+        (void)office_with({lamp_at(0, place)}, 0.1);
     }
 }
 
