@@ -3,35 +3,22 @@
 #include <cmath>
 #include <fstream>
 
-#include "render/image_file.h"
-#include "tests/cli/program.h"
+#include "tests/cli/office_pictures.h"
 
 namespace enfilade::test {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
 
-class RenderLights : public OfficeTest {
+class RenderLights : public OfficePictures {
 protected:
-    /// Renders a small picture from inside of the first room.
     static Outcome lit(const std::string& picture, const Words& words) {
-        Words all = {"render", "office.enf", "-o", picture, "--room", "Office 0.004", "--size", "48x32"};
-        all.insert(all.end(), words.begin(), words.end());
-        return run(all);
+        return rendered(picture, joined(flags, words));
     }
-    static json said(const std::string& picture, Words words) {
-        words.emplace_back("--json");
-        const Outcome outcome = lit(picture, words);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return json::parse(outcome.out, nullptr, false);
-    }
-    static render::Image image(const std::string& picture) { return render::read_image(folder() / picture); }
-    static double mean(const render::Image& image) {
-        double sum = 0;
-        for (const float v : image.rgb) sum += double{v};
-        return sum / double(image.rgb.size());
-    }
+    static json said(const std::string& picture, const Words& words) { return told(picture, joined(flags, words)); }
+
+private:
+    static inline const Words flags = {"--size", "48x32"};
 };
 
 TEST_F(RenderLights, AllSearchesMakeOnePicture) {

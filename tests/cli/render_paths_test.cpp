@@ -4,36 +4,23 @@
 #include <cmath>
 #include <limits>
 
-#include "render/image_file.h"
-#include "tests/cli/program.h"
+#include "tests/cli/office_pictures.h"
 #include "tools/exposure.h"
 
 namespace enfilade::test {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
 
-class RenderPaths : public OfficeTest {
+class RenderPaths : public OfficePictures {
 protected:
     static Outcome traced(const std::string& picture, const Words& words) {
-        Words all = {"render", "office.enf", "-o",    picture, "--room",       "Office 0.004",
-                     "--size", "32x24",      "--spp", "16",    "--integrator", "path"};
-        all.insert(all.end(), words.begin(), words.end());
-        return run(all);
+        return rendered(picture, joined(flags, words));
     }
-    static json said(const std::string& picture, Words words) {
-        words.emplace_back("--json");
-        const Outcome outcome = traced(picture, words);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return json::parse(outcome.out, nullptr, false);
-    }
-    static render::Image image(const std::string& picture) { return render::read_image(folder() / picture); }
-    static double mean(const render::Image& image) {
-        double sum = 0;
-        for (const float v : image.rgb) sum += double{v};
-        return sum / double(image.rgb.size());
-    }
+    static json said(const std::string& picture, const Words& words) { return told(picture, joined(flags, words)); }
+
+private:
+    static inline const Words flags = {"--size", "32x24", "--spp", "16", "--integrator", "path"};
 };
 
 TEST_F(RenderPaths, BringLightThatLampsDoNotSendThemselves) {

@@ -2,36 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "accel/assemble.h"
 #include "render/embree_lamps.h"
 #include "render/trace.h"
-#include "tests/support/synthetic_scene.h"
+#include "tests/support/lit_office.h"
 
 namespace enfilade::render {
 namespace {
 
-constexpr int side = 128;
+using test::lit_office;
 
-/// Lamps in every room of an office, and one in the corridor's light.
-accel::Scene lit_office() {
-    accel::SceneInput input = test::synthetic_office({.rooms_per_row = 3, .rows = 2, .turn = 0.3});
-    const accel::Scene bare = accel::assemble(input);
-    for (std::uint32_t c = 0; c < bare.view().cells.size(); ++c) {
-        const accel::Cell& cell = bare.view().cells[c];
-        if (cell.label != accel::Label::Room) continue;
-        double x = 0, y = 0;
-        for (std::uint32_t s = cell.first_section; s < cell.first_section + cell.section_count; ++s) {
-            x += double{bare.view().section_x[s]} / cell.section_count;
-            y += double{bare.view().section_y[s]} / cell.section_count;
-        }
-        accel::InputLight light;
-        light.id = "lamp-" + std::to_string(1000 + c);
-        light.position = {x + 0.3, y - 0.2, cell.z_ceiling - 0.1};
-        light.intensity = {80, 70, 60};
-        input.lights.push_back(light);
-    }
-    return accel::assemble(input);
-}
+constexpr int side = 128;
 
 /// A scene with its light trees, a camera in it, and what Embree is given.
 struct LitView {
