@@ -19,10 +19,7 @@ namespace {
 
 constexpr std::uint64_t max_pixels = std::uint64_t{1} << 26;
 
-struct Picture {
-    std::uint32_t width = 0, height = 0;
-    std::vector<std::array<std::uint8_t, 4>> pixels;
-};
+using BlockOf = std::function<std::uint32_t(std::uint32_t, std::uint32_t)>;
 
 bool read_png(std::string_view bytes, Picture& picture) {
     png_image image{};
@@ -52,17 +49,15 @@ void count_warning(j_common_ptr info, int level) {
 }
 
 /// Header and scale. Nothing in it has a destructor: errors leave it by longjmp.
-bool begin_jpeg(jpeg_decompress_struct& info, JpegError& error, std::string_view bytes, std::uint32_t most_a_side) {
+bool begin_jpeg(jpeg_decompress_struct& info, JpegError& error, std::string_view bytes, const BlockOf& block_of) {
     if (setjmp(error.jump) != 0) return false;
     jpeg_create_decompress(&info);
     jpeg_mem_src(&info, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&info, TRUE);
     if (std::uint64_t{info.image_width} * info.image_height > max_pixels) return false;
     if (info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK) return false;
-    const std::uint32_t longer = std::max(info.image_width, info.image_height);
-    info.scale_num = info.scale_denom = 1;
-    // Twice as many as will be left: the rest is averaged as light.
-    while (info.scale_denom < 8 && longer / (2 * info.scale_denom) >= 2 * most_a_side) info.scale_denom *= 2;
+    info.scale_num = 1;
+    info.scale_denom = block_of(info.image_width, info.image_height);
     info.out_color_space = JCS_RGB;
     info.dct_method = JDCT_ISLOW;
     jpeg_start_decompress(&info);
@@ -82,7 +77,7 @@ bool read_rows(jpeg_decompress_struct& info, JpegError& error, std::uint8_t* row
     return true;
 }
 
-bool read_jpeg(std::string_view bytes, std::uint32_t most_a_side, Picture& picture) {
+bool read_jpeg(std::string_view bytes, const BlockOf& block_of, Picture& picture) {
     jpeg_decompress_struct info{};
     JpegError error{};
     info.err = jpeg_std_error(&error.manager);
@@ -90,7 +85,7 @@ bool read_jpeg(std::string_view bytes, std::uint32_t most_a_side, Picture& pictu
     error.manager.output_message = say_nothing;
     error.manager.emit_message = count_warning;
     std::vector<std::uint8_t> row;
-    bool is_read = begin_jpeg(info, error, bytes, most_a_side);
+    bool is_read = begin_jpeg(info, error, bytes, block_of);
     if (is_read) {
         picture.width = info.output_width;
         picture.height = info.output_height;
@@ -104,15 +99,26 @@ bool read_jpeg(std::string_view bytes, std::uint32_t most_a_side, Picture& pictu
 
 }  // namespace
 
-std::shared_ptr<const accel::InputTexture> read_texture(std::string name, std::string_view bytes,
-                                                        std::uint32_t most_a_side) {
+std::optional<Picture> read_picture(std::string_view bytes, const BlockOf& block_of) {
     Picture picture;
     bool is_read = false;
     if (bytes.starts_with("\x89PNG")) is_read = read_png(bytes, picture);
-    else if (bytes.starts_with("\xFF\xD8")) is_read = read_jpeg(bytes, most_a_side, picture);
-    if (!is_read || picture.pixels.empty()) return nullptr;
+    else if (bytes.starts_with("\xFF\xD8")) is_read = read_jpeg(bytes, block_of, picture);
+    if (!is_read || picture.pixels.empty()) return std::nullopt;
+    return picture;
+}
+
+std::shared_ptr<const accel::InputTexture> read_texture(std::string name, std::string_view bytes,
+                                                        std::uint32_t most_a_side) {
+    // Twice as many as will be left: the rest is averaged as light.
+    const std::optional<Picture> picture = read_picture(bytes, [&](std::uint32_t width, std::uint32_t height) {
+        std::uint32_t block = 1;
+        while (block < 8 && std::max(width, height) / (2 * block) >= 2 * most_a_side) block *= 2;
+        return block;
+    });
+    if (!picture) return nullptr;
     return std::make_shared<const accel::InputTexture>(
-        accel::texture_chain(std::move(name), picture.width, picture.height, picture.pixels, most_a_side));
+        accel::texture_chain(std::move(name), picture->width, picture->height, picture->pixels, most_a_side));
 }
 
 }  // namespace enfilade::modeler
