@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "modeler/constraints/constraints.h"
-#include "modeler/lighting/volume_finder.h"
+#include "modeler/volume_finder.h"
 #include "modeler/place.h"
 
 namespace enfilade::modeler {

@@ -7,7 +7,7 @@
 #include "modeler/building.h"
 #include "modeler/furnishing/room_shape.h"
 #include "modeler/lighting/lamp_rules.h"
-#include "modeler/lighting/volume_finder.h"
+#include "modeler/volume_finder.h"
 
 namespace enfilade::modeler {
 

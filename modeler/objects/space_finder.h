@@ -2,12 +2,10 @@
 // Which space of a building holds a place.
 
 #include <cstdint>
-#include <optional>
-#include <vector>
 
 #include "modeler/building.h"
 #include "modeler/objects/object_box.h"
-#include "plans/box_index.h"
+#include "modeler/volume_finder.h"
 
 namespace enfilade::modeler {
 
@@ -15,7 +13,7 @@ namespace enfilade::modeler {
 class SpaceFinder {
 public:
     /// `building` must outlive it. Cost: linear
-    explicit SpaceFinder(const Building& building);
+    explicit SpaceFinder(const Building& building) : building_(building), volumes_(building) {}
 
     /// The space that holds a point (metres of the plan, z as storeys' elevations); none<> in solids and off the site.
     [[nodiscard]] std::uint32_t at(double x, double y, double z) const;
@@ -26,9 +24,7 @@ public:
 
 private:
     const Building& building_;
-    std::vector<std::uint32_t> first_volume_;  ///< [piece + 1]
-    std::vector<std::uint32_t> volumes_;       ///< by piece
-    std::optional<plans::BoxIndex> index_;     ///< of pieces, in grid units
+    VolumeFinder volumes_;
 };
 
 }  // namespace enfilade::modeler

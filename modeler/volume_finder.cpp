@@ -1,4 +1,4 @@
-#include "modeler/lighting/volume_finder.h"
+#include "modeler/volume_finder.h"
 
 namespace enfilade::modeler {
 namespace {
