@@ -4,16 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 
 #include "accel/assemble.h"
 #include "accel/lights/light_trees.h"
-#include "base/error.h"
 #include "render/executor.h"
-#include "tests/support/building_scenes.h"
+#include "tests/support/campaign_scenes.h"
 #include "tests/support/object_scenes.h"
-#include "tests/support/synthetic_scene.h"
 #include "tools/lamp_judge.h"
 #include "tools/lamp_reach.h"
 #include "tools/spread_lamps.h"
@@ -21,34 +18,8 @@
 namespace enfilade::render {
 namespace {
 
-std::uint64_t asked(const char* variable, std::uint64_t otherwise) {
-    const char* const text = std::getenv(variable);
-    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-struct JudgedScene {
-    std::string name;
-    accel::Scene scene;
-};
-
-std::vector<JudgedScene> buildings(bool with_homes) {
-    std::vector<JudgedScene> all;
-    for (const double turn : {0.0, 0.0001, 0.3, 0.785398163397448})
-        all.push_back({"office turned by " + std::to_string(turn),
-                       accel::assemble(test::synthetic_office(
-                           {.rooms_per_row = 5, .rows = 4, .storeys = turn == 0.3 ? 3 : 1, .turn = turn}))});
-    for (const test::BuildingScene& building : test::building_scenes()) {
-        if (!building.plan.empty() && !with_homes) continue;
-        try {
-            all.push_back({building.name, accel::assemble(test::scene_of(building))});
-        } catch (const InputError&) {  // a plan that is refused
-        }
-    }
-    return all;
-}
-
-std::vector<JudgedScene> furnished(std::uint64_t series) {
-    std::vector<JudgedScene> all;
+std::vector<test::CampaignScene> furnished(std::uint64_t series) {
+    std::vector<test::CampaignScene> all;
     for (std::uint64_t k = 0; k < 6; ++k)
         all.push_back({"furnished office " + std::to_string(k),
                        test::furnished_office({.seed = 1 + k + 6 * series, .objects = 80, .turn = 0.2 * double(k)})});
@@ -69,11 +40,11 @@ void print(const std::string& name, const tools::LampPairs& tally) {
 }
 
 /// Judges a share of `count` pairs in each scene, on all cores.
-tools::LampPairs judge(const std::vector<JudgedScene>& scenes, std::uint64_t count, std::uint64_t series) {
+tools::LampPairs judge(const std::vector<test::CampaignScene>& scenes, std::uint64_t count, std::uint64_t series) {
     constexpr std::uint64_t chunk = 5'000;
     const std::unique_ptr<accel::Executor> cores = make_executor();
     tools::LampPairs all;
-    for (const JudgedScene& one : scenes) {
+    for (const test::CampaignScene& one : scenes) {
         const std::vector<accel::Light> lamps = lamps_of(one.scene.view());
         if (lamps.empty()) continue;
         const accel::SceneView lit = tools::with_lamps(one.scene.view(), lamps);
@@ -101,8 +72,9 @@ tools::LampPairs judge(const std::vector<JudgedScene>& scenes, std::uint64_t cou
 
 TEST(LampCampaign, MissesNoLampInBuildings) {
     const bool is_campaign = std::getenv("ENFILADE_LAMP_PAIRS") != nullptr;
-    const std::uint64_t count = asked("ENFILADE_LAMP_PAIRS", 100'000), series = asked("ENFILADE_LAMP_SERIES", 0);
-    const tools::LampPairs all = judge(buildings(is_campaign), count, series);
+    const std::uint64_t count = test::asked("ENFILADE_LAMP_PAIRS", 100'000),
+                        series = test::asked("ENFILADE_LAMP_SERIES", 0);
+    const tools::LampPairs all = judge(test::campaign_scenes(is_campaign), count, series);
     if (is_campaign) print("all", all);
     EXPECT_GE(all.pairs, count * 9 / 10);
     EXPECT_GT(all.seen * 20, all.pairs);  // else nothing was judged
@@ -110,7 +82,8 @@ TEST(LampCampaign, MissesNoLampInBuildings) {
 
 TEST(LampCampaign, MissesNoLampAmongFurniture) {
     const bool is_campaign = std::getenv("ENFILADE_LAMP_PAIRS") != nullptr;
-    const std::uint64_t count = asked("ENFILADE_LAMP_PAIRS", 200'000) / 10, series = asked("ENFILADE_LAMP_SERIES", 0);
+    const std::uint64_t count = test::asked("ENFILADE_LAMP_PAIRS", 200'000) / 10,
+                        series = test::asked("ENFILADE_LAMP_SERIES", 0);
     const tools::LampPairs all = judge(furnished(series), count, series);
     if (is_campaign) print("all furnished", all);
     EXPECT_GT(all.seen * 20, all.pairs);

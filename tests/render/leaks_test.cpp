@@ -1,54 +1,23 @@
 // No ray leaks: 10^7 of every family here, 10^9 by hand (tools/campaign.sh rays).
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <mutex>
 #include <thread>
 
 #include "accel/assemble.h"
-#include "base/error.h"
-#include "tests/support/building_scenes.h"
+#include "tests/support/campaign_scenes.h"
 #include "tests/support/ray_census.h"
-#include "tests/support/synthetic_scene.h"
 
 namespace enfilade::render {
 namespace {
 
-/// Walks of all families and tracers together; ENFILADE_RAYS asks for another number.
-std::uint64_t asked(const char* variable, std::uint64_t otherwise) {
-    const char* const text = std::getenv(variable);
-    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-struct LeakScene {
-    std::string name;
-    accel::Scene scene;
-};
-
-/// Straight, turned and bent walls; and buildings with curved ones.
-std::vector<LeakScene> scenes(bool with_homes) {
-    std::vector<LeakScene> all;
-    for (const double turn : {0.0, 0.0001, 0.3, 0.785398163397448})
-        all.push_back({"office turned by " + std::to_string(turn),
-                       accel::assemble(test::synthetic_office(
-                           {.rooms_per_row = 5, .rows = 4, .storeys = turn == 0.3 ? 3 : 1, .turn = turn}))});
-    for (const test::BuildingScene& building : test::building_scenes()) {
-        if (!building.plan.empty() && !with_homes) continue;
-        try {
-            all.push_back({building.name, accel::assemble(test::scene_of(building))});
-        } catch (const InputError&) {  // a plan that is refused
-        }
-    }
-    return all;
-}
-
 TEST(Leaks, AreNone) {
     constexpr std::uint64_t rows = 14 * 3;  // families and tracers
-    const std::uint64_t count = asked("ENFILADE_RAYS", 10'000'000);
-    const std::uint64_t series = asked("ENFILADE_RAYS_SERIES", 0);
+    const std::uint64_t count = test::asked("ENFILADE_RAYS", 10'000'000);
+    const std::uint64_t series = test::asked("ENFILADE_RAYS_SERIES", 0);
     const bool is_campaign = std::getenv("ENFILADE_RAYS") != nullptr;
-    const std::vector<LeakScene> all = scenes(is_campaign);
+    const std::vector<test::CampaignScene> all = test::campaign_scenes(is_campaign);
     const std::uint64_t of_each = count / (rows * all.size()) + 1;
     const unsigned thread_count = is_campaign ? std::max(1u, std::thread::hardware_concurrency()) : 1;
     test::RayCensus census;
@@ -56,7 +25,7 @@ TEST(Leaks, AreNone) {
     std::vector<std::thread> threads;
     for (unsigned t = 0; t < thread_count; ++t)
         threads.emplace_back([&, t] {
-            for (const LeakScene& one : all) {
+            for (const test::CampaignScene& one : all) {
                 const test::StreamJudge judge(one.scene.view());
                 test::RayCensus part;
                 test::take_census(one.scene.view(), judge, of_each / thread_count + 1, 17 + t + 1000 * series,
