@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "modeler/constraints/constraints.h"
-#include "modeler/volume_finder.h"
 #include "modeler/place.h"
+#include "modeler/volume_finder.h"
 
 namespace enfilade::modeler {
 namespace {
