@@ -1,5 +1,6 @@
-# CUDA is no Debian package: asked for and absent, it is skipped, and said so.
-option(ENFILADE_CUDA "Compile the device code with nvcc, where there is one" OFF)
+# CUDA is no Debian package. AUTO: device code is compiled where nvcc is found; ON: it must be; OFF: it is not.
+set(ENFILADE_CUDA AUTO CACHE STRING "Compile the device code with nvcc: AUTO (where it is found), ON or OFF")
+set_property(CACHE ENFILADE_CUDA PROPERTY STRINGS AUTO ON OFF)
 set(ENFILADE_HAVE_CUDA OFF)
 if(ENFILADE_CUDA)
   include(CheckLanguage)
@@ -9,13 +10,20 @@ if(ENFILADE_CUDA)
       set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90)
     endif()
     enable_language(CUDA)
+    if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that nvcc speaks it
+      set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+      set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+    endif()
     set(CMAKE_CUDA_STANDARD 20)
     set(CMAKE_CUDA_STANDARD_REQUIRED ON)
     set(ENFILADE_HAVE_CUDA ON)
-    # The same rounding as on the host (1-architecture, decision 9); constexpr std calls on the device; GLM's warning.
+    # The same rounding as on the host (1-architecture, decision 9); constexpr std calls on the device; GLM's warning,
+    # and that of host functions in templates for both which only the host calls.
     target_compile_options(enfilade_options INTERFACE
-      $<$<COMPILE_LANGUAGE:CUDA>:--fmad=false --expt-relaxed-constexpr -diag-suppress 20012>)
-  else()
+      "$<$<COMPILE_LANGUAGE:CUDA>:--fmad=false;--expt-relaxed-constexpr;-diag-suppress=20012;-Xcompiler=-ffp-contract=off>")
+  elseif(ENFILADE_CUDA STREQUAL "AUTO")
     message(STATUS "CUDA: skipped, no nvcc on this machine")
+  else()
+    message(FATAL_ERROR "ENFILADE_CUDA is ON and there is no nvcc: install CUDA, put nvcc into PATH, or set ENFILADE_CUDA=AUTO.")
   endif()
 endif()
