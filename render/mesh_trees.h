@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/octree/linked_octree.h"
 #include "accel/octree/octree.h"
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
 #include "render/mesh_soundness.h"
+#include "render/plain_bvh.h"
 
 namespace enfilade::render {
 
@@ -40,5 +42,18 @@ void build_for_used(const accel::SceneView& scene, const std::vector<bool>& used
     for (std::size_t mesh = 0; mesh < used.size(); ++mesh)
         if (used[mesh] && is_large(mesh)) build(mesh, executor);
 }
+
+/// [mesh] whether an object uses it that some cell lists: others are never asked.
+[[nodiscard]] std::vector<bool> used_meshes(const accel::SceneView& scene);
+
+/// An octree for each mesh that is used; the others are empty. used: [mesh count]
+[[nodiscard]] std::vector<accel::LinkedOctree> build_octrees(const accel::SceneView& scene,
+                                                             const std::vector<bool>& used,
+                                                             const accel::OctreeOptions& options,
+                                                             const accel::Executor& executor);
+
+/// A tree of boxes for each mesh that is used. The scene's memory must outlive them.
+[[nodiscard]] std::vector<PlainBvh> build_plain_bvhs(const accel::SceneView& scene, const std::vector<bool>& used,
+                                                     const accel::Executor& executor);
 
 }  // namespace enfilade::render

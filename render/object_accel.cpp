@@ -4,7 +4,6 @@
 #include "render/object_rays.h"
 #include "render/object_tracer.h"
 #include "render/octree_objects.h"
-#include "render/plain_bvh.h"
 #if defined(ENFILADE_HAS_EMBREE)
 #include "render/embree_objects.h"
 #endif
@@ -34,10 +33,7 @@ std::uint32_t blocked16(const void* state, accel::MeshId mesh, const std::int32_
 class PlainObjects final : public ObjectAccel {
 public:
     PlainObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::Executor& executor)
-        : trees_(scene.meshes.size()) {
-        build_for_used(scene, used, executor, [&](std::size_t mesh, const accel::Executor& cores) {
-            trees_[mesh] = PlainBvh(scene, static_cast<accel::MeshId>(mesh), cores);
-        });
+        : trees_(build_plain_bvhs(scene, used, executor)) {
         for (const PlainBvh& tree : trees_) views_.push_back(tree.view());
     }
 
@@ -60,9 +56,7 @@ private:
 
 std::unique_ptr<ObjectAccel> build_object_accel(const accel::SceneView& scene, ObjectAccelKind kind,
                                                 const accel::Executor& executor, const accel::OctreeOptions& octrees) {
-    // Objects that no cell lists are never asked.
-    std::vector<bool> used(scene.meshes.size(), false);
-    for (const accel::ObjectId object : scene.cell_objects) used[index(scene.objects[index(object)].mesh)] = true;
+    const std::vector<bool> used = used_meshes(scene);
 #if defined(ENFILADE_HAS_EMBREE)
     if (kind == ObjectAccelKind::Automatic) kind = ObjectAccelKind::Bvh;
     if (kind == ObjectAccelKind::Bvh) return detail::build_embree_objects(scene, used, executor);

@@ -1,6 +1,5 @@
 #include "render/octree_objects.h"
 
-#include "accel/octree/linked_octree.h"
 #include "render/mesh_trees.h"
 #include "render/octree_counter.h"
 #include "render/octree_kernels.h"
@@ -49,13 +48,7 @@ class OctreeObjects final : public ObjectAccel, public OctreeCounter {
 public:
     OctreeObjects(const accel::SceneView& scene, const std::vector<bool>& used, const accel::OctreeOptions& options,
                   const accel::Executor& executor)
-        : trees_(scene.meshes.size()) {
-        build_for_used(scene, used, executor, [&](std::size_t m, const accel::Executor& cores) {
-            const accel::ObjectMesh& mesh = scene.meshes[m];
-            const std::vector<std::uint32_t> sound = sound_triangles(scene, mesh);
-            const accel::MeshPart part = mesh_part(scene, mesh, sound);
-            trees_[m] = {accel::build_octree(part, options, cores), part, cores};
-        });
+        : trees_(build_octrees(scene, used, options, executor)) {
         for (const accel::LinkedOctree& tree : trees_) views_.push_back(tree.view());
         const OctreeKernels* lanes = octree_lane_kernels();
         state_ = {lanes != nullptr ? lanes : &octree_kernels(), views_.data()};

@@ -22,6 +22,17 @@ public:
 
     /// Valid while this object lives and does not change; moving it keeps its views.
     [[nodiscard]] BvhView view() const;
+    /// A view of copies in another memory. copy: T const* copy(T const* values, count). places, triangles: the mesh's
+    /// there, as BvhView has them
+    template <class Copy>
+    [[nodiscard]] BvhView copied(const Copy& copy, const float* places, const accel::MeshTriangle* triangles) const {
+        BvhView copied = view();
+        copied.nodes = nodes_.empty() ? nullptr : copy(nodes_.data(), nodes_.size());
+        copied.order = copy(order_.data(), order_.size());
+        copied.places = places;
+        copied.triangles = triangles;
+        return copied;
+    }
     [[nodiscard]] std::size_t bytes() const {
         return nodes_.size() * sizeof(BvhNode) + order_.size() * sizeof(std::uint32_t);
     }

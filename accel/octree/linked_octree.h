@@ -60,6 +60,21 @@ public:
     LinkedOctree(const Octree& tree, const MeshPart& mesh, const Executor& executor);
 
     [[nodiscard]] OctreeView view() const;
+    /// A view of copies of what a ray that is walked alone reads (render/octree_walk.h), for another memory; the other
+    /// arrays are nullptr there. copy: T const* copy(T const* values, count)
+    template <class Copy>
+    [[nodiscard]] OctreeView copied(const Copy& copy) const {
+        OctreeView copied = view();
+        copied.leaves = leaves_.empty() ? nullptr : copy(leaves_.data(), leaves_.size());
+        copied.corners = copy(corners_.data(), corners_.size());
+        copied.jumps = copy(jumps_.entries.data(), jumps_.entries.size());
+        copied.children = nullptr;
+        copied.occupied = nullptr;
+        copied.brick_masks = nullptr;
+        copied.brick_first = nullptr;
+        copied.brick_entries = nullptr;
+        return copied;
+    }
     [[nodiscard]] std::size_t bytes() const {
         return leaves_.size() * sizeof(LinkedLeaf) + children_.size() * sizeof(OctreeEntry) +
                corners_.size() * sizeof(float) + occupied_.size() + jumps_.entries.size() * sizeof(JumpEntry) +
