@@ -10,6 +10,7 @@
 #include "accel/texture_chain.h"
 #include "accel/validate.h"
 #include "base/error.h"
+#include "tests/support/damaged_scene.h"
 #include "tests/support/synthetic_objects.h"
 #include "tests/support/synthetic_scene.h"
 
@@ -42,11 +43,8 @@ std::vector<std::byte> sound_bytes() {
 
 template <class T, class Change>
 std::string defect_with(const char* name, std::size_t i, Change change) {
-    static const std::vector<std::byte> bytes = sound_bytes();
-    const Scene scene = read(bytes);
-    change(reinterpret_cast<T*>(const_cast<std::byte*>(scene.find(name)->bytes.data()))[i]);
-    const std::vector<Defect> defects = validate(scene.view());
-    return defects.empty() ? "" : defects.front().code;
+    static const test::DamagedScene scene(assemble(input_with_looks()));
+    return scene.first_defect<T>(name, i, change);
 }
 
 TEST(LooksInScenes, AreLaidOutAsTheyWereGiven) {

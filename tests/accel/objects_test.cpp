@@ -12,6 +12,7 @@
 #include "accel/stats.h"
 #include "accel/validate.h"
 #include "base/error.h"
+#include "tests/support/damaged_scene.h"
 #include "tests/support/synthetic_objects.h"
 #include "tests/support/synthetic_scene.h"
 
@@ -30,14 +31,10 @@ std::vector<std::byte> sound_bytes() {
     return {scene.bytes().begin(), scene.bytes().end()};
 }
 
-/// The code of the first defect of a scene in which `change` wrote to element i of an array; "" if there is none.
 template <class T, class Change>
 std::string defect_with(const char* name, std::size_t i, Change change) {
-    static const std::vector<std::byte> bytes = sound_bytes();
-    const Scene scene = read(bytes);
-    change(reinterpret_cast<T*>(const_cast<std::byte*>(scene.find(name)->bytes.data()))[i]);
-    const std::vector<Defect> defects = validate(scene.view());
-    return defects.empty() ? "" : defects.front().code;
+    static const test::DamagedScene scene(assemble(furnished_input()));
+    return scene.first_defect<T>(name, i, change);
 }
 
 TEST(ObjectsInScenes, AreLaidOutAsTheyWereGiven) {
