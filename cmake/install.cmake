@@ -10,6 +10,8 @@ foreach(folder IN LISTS folders)
       FILES_MATCHING PATTERN "*.h")
   endif()
 endforeach()
+list(APPEND installed enfilade_cuda)  # its users enable CUDA, where the package was built with it
+set_target_properties(enfilade_cuda PROPERTIES EXPORT_NAME cuda)
 set_target_properties(enfilade_options PROPERTIES EXPORT_NAME options)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/base DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/enfilade FILES_MATCHING PATTERN "*.h")
 install(TARGETS ${installed} EXPORT enfilade
