@@ -1,0 +1,38 @@
+#pragma once
+// Pictures by packets of a warp: whole tiles of the image by the rays through their corners (README.md, "Packets").
+
+#include <cstdint>
+
+#include "render/camera.h"
+#include "render/cuda/device.h"
+#include "render/cuda/packets_counts.h"
+#include "render/look.h"
+
+namespace enfilade::render::cuda {
+
+/// Sides of tiles in pixels, powers of two: a warp begins with 4 x 2 of the largest ones, and what does not agree below
+/// the smallest ones is walked pixel by pixel.
+struct PacketTiles {
+    int largest = 16;  ///< 4 to 256
+    int smallest = 4;  ///< 4 to `largest`
+};
+
+/// One frame, `Shading::Lambert`, bare rooms. Pointers are the device's.
+struct PacketJob {
+    const accel::SceneView* scene;  ///< on the host, its arrays on the device (copy_scene)
+    CameraFrame camera;
+    Look look;  ///< lambert_look
+    accel::CellId start;
+    float mirror_floor;  ///< share of light that floors reflect
+    int width, height;
+    std::uint32_t* rgba;  ///< [width * height], aligned to 16 bytes
+    PacketTiles tiles;
+};
+
+/// Asks for the picture: every pixel is written once, whatever the size. \pre the tiles are sound
+void draw_packets(Device& device, const PacketJob& job);
+
+/// The same on this machine's memory, on the calling thread, and what it took.
+[[nodiscard]] PacketCounts count_packets(const PacketJob& job);
+
+}  // namespace enfilade::render::cuda

@@ -1,0 +1,160 @@
+#pragma once
+// Tiles that one face fills: Lambert's cosine is affine over the image, over the length of the direction. A pixel costs
+// two approximate roots and some ten operations; four of a row are stored at once.
+
+#include <cstdint>
+
+#include "render/cuda/packets_view.h"
+#include "render/framebuffer.h"
+
+namespace enfilade::render::cuda {
+
+/// 1 / root(a), to some 2^-22 of itself. \pre a is normal
+ENFILADE_HD float quick_inverse_root(float a) {
+#if defined(__CUDA_ARCH__)
+    float result;
+    asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(result) : "f"(a));
+    return result;
+#else
+    return 1.0f / root(a);
+#endif
+}
+
+/// root(a), to some 2^-22 of itself. \pre a >= 0
+ENFILADE_HD float quick_root(float a) {
+#if defined(__CUDA_ARCH__)
+    float result;
+    asm("sqrt.approx.ftz.f32 %0, %1;" : "=f"(result) : "f"(a));
+    return result;
+#else
+    return root(a);
+#endif
+}
+
+/// The lowest bytes of three numbers and 255, from the lowest on.
+ENFILADE_HD std::uint32_t packed(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+#if defined(__CUDA_ARCH__)
+    return __byte_perm(__byte_perm(r, g, 0x0040), __byte_perm(b, 0xffu, 0x0040), 0x5410);
+#else
+    return (r & 0xffu) | (g & 0xffu) << 8 | (b & 0xffu) << 16 | 0xff000000u;
+#endif
+}
+
+enum class PaintKind : std::uint32_t {
+    Face,    ///< one face: its root is taken, colours are roots of 255 parts
+    Layers,  ///< a mirror's floor, or none, and what it shows: a face
+    Sky      ///< the same, of the sky
+};
+
+/// What fills a tile.
+struct alignas(16) Paint {
+    float at_corner, by_x, by_y;  ///< of the cosine, or the rise to the sky, over the image; times the length
+    PaintKind kind;
+    float r, g, b;
+    std::uint32_t place;  ///< x, and y << 16
+    float floor_r, floor_g, floor_b;
+    std::uint32_t unused;
+};
+
+/// A channel of a pixel that faces the light, of 255.
+ENFILADE_HD float full_channel(float colour) { return 255.0f * (colour < 1 ? root(colour) : 1.0f); }
+
+/// What a bundle's rays see that end by the same face.
+ENFILADE_HD Paint paint_of(const PacketView& view, const Bundle& bundle, const WalkEnd<float>& end) {
+    const accel::SourceFace& face = view.scene.source_faces[end.target.bits];
+    const bool is_sky = face.surface == accel::Surface::Sky;
+    const float turn = bundle.is_mirrored() ? -1.0f : 1.0f;
+    const Vec3f toward = is_sky ? Vec3f{0, 0, 1} : -normal_of(view.scene, end);
+    const Vec3f n = {toward.x, toward.y, turn * toward.z};  // against the directions as the camera has them
+    const Vec3f scale = is_sky ? bundle.tint : bundle.tint * colour_of(view.scene, face);
+    const bool is_plain = !is_sky && !bundle.is_mirrored();
+    Paint paint;
+    paint.at_corner = dot(n, view.camera.corner);
+    paint.by_x = dot(n, view.camera.du);
+    paint.by_y = dot(n, view.camera.dv);
+    paint.kind = is_plain ? PaintKind::Face : is_sky ? PaintKind::Sky : PaintKind::Layers;
+    paint.r = is_plain ? full_channel(scale.x) : scale.x;
+    paint.g = is_plain ? full_channel(scale.y) : scale.y;
+    paint.b = is_plain ? full_channel(scale.z) : scale.z;
+    paint.place = static_cast<std::uint32_t>(bundle.x) | static_cast<std::uint32_t>(bundle.y) << 16;
+    paint.floor_r = bundle.floor.x;
+    paint.floor_g = bundle.floor.y;
+    paint.floor_b = bundle.floor.z;
+    return paint;
+}
+
+/// What a row of the image gives all of its pixels.
+struct PaintRow {
+    float squared, squared_by_x;  ///< d . d = squared + x (squared_by_x + x by_xx)
+    float facing;                 ///< at x = 0
+    float down;                   ///< of the direction, at x = 0
+
+    ENFILADE_HD PaintRow(const PacketView& view, const Paint& paint, int row) {
+        const float y = static_cast<float>(row) + 0.5f;
+        squared = fused(y, fused(y, view.lengths.by_yy, view.lengths.by_y), view.lengths.of_corner);
+        squared_by_x = fused(y, view.lengths.by_xy, view.lengths.by_x);
+        facing = fused(y, paint.by_y, paint.at_corner);
+        down = -fused(y, view.camera.dv.z, view.camera.corner.z);
+    }
+    ENFILADE_HD float squared_at(const PacketView& view, float x) const {
+        return fused(x, fused(x, view.lengths.by_xx, squared_by_x), squared);
+    }
+};
+
+/// A pixel of one face.
+ENFILADE_HD std::uint32_t face_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x) {
+    constexpr float rounds_to_integer = 0x1p23f;  // and leaves it in the lowest bits
+    const float facing = fused(x, paint.by_x, row.facing);
+    const float cosine = facing * quick_inverse_root(row.squared_at(view, x));
+    const float bright = quick_root(cosine > 0 ? cosine : 0.0f);
+    return packed(bits_of(fused(bright, paint.r, rounds_to_integer)),
+                  bits_of(fused(bright, paint.g, rounds_to_integer)),
+                  bits_of(fused(bright, paint.b, rounds_to_integer)));
+}
+
+/// A pixel of a floor that mirrors, if any, and of what is seen in it.
+ENFILADE_HD std::uint32_t layered_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x) {
+    const float inverse = 1.0f / root(row.squared_at(view, x));
+    const float down = fused(x, -view.camera.du.z, row.down) * inverse;
+    const float along = fused(x, paint.by_x, row.facing) * inverse;
+    const float clipped = along > 0 ? along : 0.0f;
+    const Vec3f scale = {paint.r, paint.g, paint.b};
+    Vec3f seen = clipped * scale;
+    if (paint.kind == PaintKind::Sky) {
+        const float blend = root(clipped);
+        seen = scale * ((1 - blend) * view.look.sky_horizon + blend * view.look.sky_zenith);
+    }
+    const Vec3f floor = {paint.floor_r, paint.floor_g, paint.floor_b};
+    return encoded((down > 0 ? down : 0.0f) * floor + seen);
+}
+
+struct alignas(16) FourPixels {
+    std::uint32_t of[4];
+};
+
+/// Four pixels of a row, as far as they lie on the image.
+ENFILADE_HD void store_four(const PacketView& view, int x, int y, const FourPixels& pixels) {
+    std::uint32_t* const out =
+        view.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
+    if (view.stores_quads) {
+        *reinterpret_cast<FourPixels*>(out) = pixels;
+        return;
+    }
+    for (int i = 0; i < 4; ++i)
+        if (x + i < view.width) out[i] = pixels.of[i];
+}
+
+/// Four pixels of a tile.
+ENFILADE_HD void fill_four(const PacketView& view, const Paint& paint, int x, int y) {
+    const PaintRow row(view, paint, y);
+    const float first = static_cast<float>(x) + 0.5f;
+    FourPixels pixels;
+    if (paint.kind == PaintKind::Face) {
+        for (int i = 0; i < 4; ++i) pixels.of[i] = face_pixel(view, paint, row, first + static_cast<float>(i));
+    } else {
+        for (int i = 0; i < 4; ++i) pixels.of[i] = layered_pixel(view, paint, row, first + static_cast<float>(i));
+    }
+    store_four(view, x, y, pixels);
+}
+
+}  // namespace enfilade::render::cuda
