@@ -52,6 +52,16 @@ ENFILADE_HD float float_of(std::uint32_t bits) {
 #endif
 }
 
+/// p[axis] of three. A device chooses: an index that is only known as it runs would put p into memory.
+template <class T>
+ENFILADE_HD T component(const T* p, int axis) {
+#if defined(__CUDA_ARCH__)
+    return axis == 0 ? p[0] : axis == 1 ? p[1] : p[2];
+#else
+    return p[axis];
+#endif
+}
+
 template <class T>
 ENFILADE_HD T larger(T a, T b) {
     return a > b ? a : b;

@@ -161,14 +161,16 @@ struct BoxExit {
     float t[3], least;      ///< where it meets those faces, and the first of them
 };
 
-/// The octree's own faces count as being far behind: rays leave it where they leave the box of its triangles.
-ENFILADE_HD BoxExit exit_of(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, std::uint32_t width,
-                            const LatticeRay& r, const LatticeCell& cell) {
+/// The octree's own faces count as being far behind: rays leave it where they leave the box of its triangles. exits:
+/// [axis], of the ray's octant, as in LinkedLeaf
+template <class Exits>
+ENFILADE_HD BoxExit exit_by(const accel::OctreeView& tree, const Exits& exits, std::uint32_t width, const LatticeRay& r,
+                            const LatticeCell& cell) {
     BoxExit exit;
     const std::uint32_t unit = accel::exit_unit(width);
     for (int k = 0; k < 3; ++k) {
         const std::int32_t low = cell.at[k] & -(1 << width);
-        exit.plane[k] = low + (leaf.exits[r.octant][k] << unit);
+        exit.plane[k] = low + static_cast<std::int32_t>(std::uint32_t{exits[k]} << unit);
         const bool is_border = exit.plane[k] >= (1 << tree.frame.depth);
         const float plane = is_border ? 0x1p60f : static_cast<float>(exit.plane[k]);
         exit.t[k] = (plane - r.origin[k]) * r.inverse[k];
@@ -176,6 +178,17 @@ ENFILADE_HD BoxExit exit_of(const accel::OctreeView& tree, const accel::LinkedLe
     exit.least = exit.t[0] < exit.t[1] ? exit.t[0] : exit.t[1];
     exit.least = exit.least < exit.t[2] ? exit.least : exit.t[2];
     return exit;
+}
+
+/// The exits of a leaf towards one octant, in the lowest three bytes.
+struct PackedExits {
+    std::uint32_t bits;
+    ENFILADE_HD std::uint32_t operator[](int axis) const { return bits >> 8 * axis & 255u; }
+};
+
+ENFILADE_HD BoxExit exit_of(const accel::OctreeView& tree, const accel::LinkedLeaf& leaf, std::uint32_t width,
+                            const LatticeRay& r, const LatticeCell& cell) {
+    return exit_by(tree, leaf.exits[r.octant], width, r, cell);
 }
 
 /// The cell behind the face. No step goes back along any axis, and each goes on along one, so a walk ends.

@@ -14,21 +14,40 @@ inline namespace ENFILADE_ISA {
 
 inline constexpr std::uint32_t invalid_exit = 7;  ///< signs that no ray has in exact arithmetic, but by ties
 
-/// The paper's equation 8. octant: bit k where the ray goes up along axis k; signs: as plucker_signs gives them at the
-/// corner where the three faces meet by which such a ray can leave.
+/// Eight numbers of `bits` bits each, the first lowest: tables lie in instructions, not in memory, of which a device's
+/// thread would keep a copy of its own.
+consteval std::uint32_t packed_row(std::uint32_t bits, const std::uint32_t (&row)[8]) {
+    std::uint32_t packed = 0;
+    for (std::uint32_t i = 0; i < 8; ++i) packed |= row[i] << (bits * i);
+    return packed;
+}
+
+/// The row of the paper's equation 8 for a ray. octant: bit k where it goes up along axis k.
+ENFILADE_HD std::uint32_t out_face_row(std::uint32_t octant) {
+    constexpr std::uint32_t r0 = packed_row(3, {7, 2, 5, 2, 3, 3, 5, 7}), r1 = packed_row(3, {5, 7, 1, 1, 5, 2, 7, 2}),
+                            r2 = packed_row(3, {3, 3, 7, 5, 0, 7, 0, 5}), r3 = packed_row(3, {0, 5, 0, 7, 7, 5, 1, 1}),
+                            r4 = packed_row(3, {2, 4, 2, 7, 7, 4, 3, 3}), r5 = packed_row(3, {1, 1, 7, 4, 2, 7, 2, 4}),
+                            r6 = packed_row(3, {4, 7, 3, 3, 4, 0, 7, 0}), r7 = packed_row(3, {7, 0, 4, 0, 1, 1, 4, 7});
+    const std::uint32_t down = 7 - octant;
+    const std::uint32_t low = (down & 2u) != 0 ? ((down & 1u) != 0 ? r3 : r2) : (down & 1u) != 0 ? r1 : r0;
+    const std::uint32_t high = (down & 2u) != 0 ? ((down & 1u) != 0 ? r7 : r6) : (down & 1u) != 0 ? r5 : r4;
+    return (down & 4u) != 0 ? high : low;
+}
+
+/// The paper's equation 8. row: the ray's; signs: as plucker_signs gives them at the corner where the three faces meet
+/// by which such a ray can leave.
+ENFILADE_HD std::uint32_t out_face_in(std::uint32_t row, std::uint32_t signs) { return row >> 3 * signs & 7u; }
 ENFILADE_HD std::uint32_t out_face(std::uint32_t octant, std::uint32_t signs) {
-    constexpr std::uint8_t faces[8][8] = {{7, 2, 5, 2, 3, 3, 5, 7}, {5, 7, 1, 1, 5, 2, 7, 2}, {3, 3, 7, 5, 0, 7, 0, 5},
-                                          {0, 5, 0, 7, 7, 5, 1, 1}, {2, 4, 2, 7, 7, 4, 3, 3}, {1, 1, 7, 4, 2, 7, 2, 4},
-                                          {4, 7, 3, 3, 4, 0, 7, 0}, {7, 0, 4, 0, 1, 1, 4, 7}};
-    return faces[7 - octant][signs];
+    return out_face_in(out_face_row(octant), signs);
 }
 
 /// The paper's equation 9: u + 2 v. signs: at the middle of the face.
 ENFILADE_HD std::uint32_t quarter_of(std::uint32_t face, std::uint32_t signs) {
-    constexpr std::uint8_t quarters[6][8] = {{1, 3, 1, 3, 0, 2, 0, 2}, {2, 2, 0, 0, 3, 3, 1, 1},
-                                             {2, 0, 2, 0, 3, 1, 3, 1}, {1, 1, 3, 3, 0, 0, 2, 2},
-                                             {2, 0, 3, 1, 2, 0, 3, 1}, {1, 3, 0, 2, 1, 3, 0, 2}};
-    return quarters[face][signs];
+    constexpr std::uint32_t r0 = packed_row(2, {1, 3, 1, 3, 0, 2, 0, 2}), r1 = packed_row(2, {2, 2, 0, 0, 3, 3, 1, 1}),
+                            r2 = packed_row(2, {2, 0, 2, 0, 3, 1, 3, 1}), r3 = packed_row(2, {1, 1, 3, 3, 0, 0, 2, 2}),
+                            r4 = packed_row(2, {2, 0, 3, 1, 2, 0, 3, 1}), r5 = packed_row(2, {1, 3, 0, 2, 1, 3, 0, 2});
+    const std::uint32_t two = face < 2 ? r0 | r1 << 16 : face < 4 ? r2 | r3 << 16 : r4 | r5 << 16;
+    return two >> (16 * (face & 1u) + 2 * signs) & 3u;
 }
 
 /// The sides on which a ray passes three lines along the axes x, y, z through one point: bit k where the product with
@@ -70,6 +89,7 @@ struct RopeRay {
     T direction[3];        ///< 0 where it is as good as 0: by those faces nothing is left
     T inverse[3];          ///< of it, 0 where it is 0
     std::uint32_t octant;  ///< bit k: it goes up along axis k
+    std::uint32_t faces;   ///< out_face_row of it
 };
 
 /// origin, direction: in the mesh's own space.
@@ -86,6 +106,7 @@ ENFILADE_HD RopeRay<T> rope_ray(const accel::OctreeFrame& frame, const float* or
         r.inverse[k] = is_still ? T(0) : T(1) / d;
         if (r.direction[k] > 0) r.octant |= 1u << k;
     }
+    r.faces = out_face_row(r.octant);
     return r;
 }
 
@@ -112,11 +133,12 @@ ENFILADE_HD RopeExit<T> first_plane(const RopeRay<T>& r, const T* from) {
 /// from: the ray's origin seen from the corner by which it may leave (leaving_corner).
 template <class T>
 ENFILADE_HD RopeExit<T> exit_of(const RopeRay<T>& r, const T* from) {
-    const std::uint32_t face = out_face(r.octant, plucker_signs(r.direction, from));
+    const std::uint32_t face = out_face_in(r.faces, plucker_signs(r.direction, from));
     if (face == invalid_exit) return first_plane(r, from);
     const int axis = accel::axis_of(face);
-    if (r.inverse[axis] == 0) return first_plane(r, from);
-    return {face, -from[axis] * r.inverse[axis], false};
+    const T inverse = component(r.inverse, axis);
+    if (inverse == 0) return first_plane(r, from);
+    return {face, -component(from, axis) * inverse, false};
 }
 
 /// The ray's origin seen from the corner of a cube where the faces meet by which it may leave.

@@ -83,13 +83,17 @@ template <class T, class Events>
 ENFILADE_HD accel::RopeAddress first_leaf(const accel::RopeView& tree, const RopeRay<T>& r, const RopePart<T>& part,
                                           Events& events) {
     const std::uint32_t side = 1u << tree.frame.depth;
+    const bool is_inside = part.face == invalid_exit;
+    const int axis = is_inside ? 3 : accel::axis_of(part.face);
     std::uint32_t cell[3];
-    for (int k = 0; k < 3; ++k) cell[k] = cell_within(r.origin[k] + part.enter * r.direction[k], 0u, side);
-    if (part.face == invalid_exit) return rope_leaf_at(tree, tree.root, 0, cell, events);
-    const int axis = accel::axis_of(part.face);
-    cell[axis] = accel::is_high(part.face) ? side - 1 : 0;
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t border = accel::is_high(part.face) ? side - 1 : 0;
+        const std::uint32_t within = cell_within(r.origin[k] + part.enter * r.direction[k], 0u, side);
+        cell[k] = k == axis ? border : within;
+    }
+    if (is_inside) return rope_leaf_at(tree, tree.root, 0, cell, events);
     const std::uint32_t down = tree.frame.depth - tree.cube_map_level;
-    const std::uint32_t u = cell[axis == 0 ? 1 : 0] >> down, v = cell[axis == 2 ? 1 : 2] >> down;
+    const std::uint32_t u = (axis == 0 ? cell[1] : cell[0]) >> down, v = (axis == 2 ? cell[1] : cell[2]) >> down;
     const std::size_t row = (std::size_t{part.face} << tree.cube_map_level) + v;
     return rope_leaf_at(tree, tree.cube_map[(row << tree.cube_map_level) + u], tree.cube_map_level, cell, events);
 }
@@ -115,8 +119,9 @@ ENFILADE_HD accel::RopeAddress next_leaf(const accel::RopeView& tree, accel::Rop
     const int axis = accel::axis_of(exit.face);
     std::uint32_t cell[3];
     for (int k = 0; k < 3; ++k) {
-        if (k == axis) cell[k] = accel::is_high(exit.face) ? cube.low[k] + cube.width : cube.low[k] - 1;
-        else cell[k] = cell_within(r.origin[k] + exit.t * r.direction[k], cube.low[k], cube.width);
+        const std::uint32_t behind = accel::is_high(exit.face) ? cube.low[k] + cube.width : cube.low[k] - 1;
+        const std::uint32_t within = cell_within(r.origin[k] + exit.t * r.direction[k], cube.low[k], cube.width);
+        cell[k] = k == axis ? behind : within;
     }
     return rope_leaf_at(tree, node, cube.level, cell, events);
 }

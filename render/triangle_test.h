@@ -30,9 +30,9 @@ ENFILADE_HD ShearedRay sheared_ray(const ObjectRay& ray) {
     r.kz = az >= ax && az >= ay ? 2 : ay >= ax ? 1 : 0;
     r.kx = r.kz == 2 ? 0 : r.kz + 1;
     r.ky = r.kx == 2 ? 0 : r.kx + 1;
-    r.shear_z = 1.0f / d[r.kz];
-    r.shear_x = d[r.kx] * r.shear_z;
-    r.shear_y = d[r.ky] * r.shear_z;
+    r.shear_z = 1.0f / component(d, r.kz);
+    r.shear_x = component(d, r.kx) * r.shear_z;
+    r.shear_y = component(d, r.ky) * r.shear_z;
     return r;
 }
 
@@ -49,11 +49,15 @@ struct TriangleMeeting {
 /// Both sides are seen. Neighbours compute the same numbers for the edge that they share, of opposite signs, so that
 /// one of them is hit; what rounds to zero is computed again in double, where the products are exact.
 ENFILADE_HD bool meets_triangle(const ShearedRay& r, const TriangleAt& p, TriangleMeeting& at) {
-    const float ox = r.origin[r.kx], oy = r.origin[r.ky], oz = r.origin[r.kz];
-    const float a_along = p.a[r.kz] - oz, b_along = p.b[r.kz] - oz, c_along = p.c[r.kz] - oz;
-    const float ax = (p.a[r.kx] - ox) - r.shear_x * a_along, ay = (p.a[r.ky] - oy) - r.shear_y * a_along;
-    const float bx = (p.b[r.kx] - ox) - r.shear_x * b_along, by = (p.b[r.ky] - oy) - r.shear_y * b_along;
-    const float cx = (p.c[r.kx] - ox) - r.shear_x * c_along, cy = (p.c[r.ky] - oy) - r.shear_y * c_along;
+    const float ox = component(r.origin, r.kx), oy = component(r.origin, r.ky), oz = component(r.origin, r.kz);
+    const float a_along = component(p.a, r.kz) - oz, b_along = component(p.b, r.kz) - oz,
+                c_along = component(p.c, r.kz) - oz;
+    const float ax = (component(p.a, r.kx) - ox) - r.shear_x * a_along,
+                ay = (component(p.a, r.ky) - oy) - r.shear_y * a_along;
+    const float bx = (component(p.b, r.kx) - ox) - r.shear_x * b_along,
+                by = (component(p.b, r.ky) - oy) - r.shear_y * b_along;
+    const float cx = (component(p.c, r.kx) - ox) - r.shear_x * c_along,
+                cy = (component(p.c, r.ky) - oy) - r.shear_y * c_along;
     float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     if (u == 0.0f || v == 0.0f || w == 0.0f) {
         u = static_cast<float>(double{cx} * double{by} - double{cy} * double{bx});
