@@ -5,6 +5,7 @@
 #include "render/kernel.h"
 #include "render/rooms.h"
 #include "render/sees.h"
+#include "render/stream_ray.h"
 
 namespace enfilade::render {
 inline namespace ENFILADE_ISA {
@@ -50,49 +51,15 @@ void trace_each(const detail::RayJob& job, const Rooms& rooms, Events& events) {
 template <class Rooms, class Events>
 void trace_stream(const detail::StreamJob& job, const Rooms& rooms, Events& events) {
     const accel::SceneView scene = *job.scene;
-    for (std::uint64_t k = job.begin; k < job.end; ++k) {
-        const std::uint64_t i = job.order != nullptr ? job.order[k] : k;
-        const float max_distance = job.max_distance != nullptr ? job.max_distance[i] : 3e38f;
-        Sight<float> sight = {};
-        WalkEnd<float>& end = sight.end;
-        end.status = WalkStatus::Refused;
-        end.cell = static_cast<std::uint32_t>(job.start[i]);
-        float distance = __builtin_nanf("");
-        Ray<float> ray;
-        if (make_ray(Vec3f{job.origin[0][i], job.origin[1][i], job.origin[2][i]},
-                     Vec3f{job.direction[0][i], job.direction[1][i], job.direction[2][i]}, ray) &&
-            max_distance == max_distance) {
-            const float metres = length(ray.direction);
-            Vec3f throughput = {1, 1, 1};
-            sight = job.max_distance != nullptr
-                        ? rooms.look_along(scene, ray, end.cell, Limit<float>{limit_of(max_distance, metres)},
-                                           throughput, events)
-                        : rooms.look_along(scene, ray, end.cell, NoLimit{}, throughput, events);
-            distance = end.status == WalkStatus::Reached ? max_distance : parameter(scene, ray, sight) * metres;
-        }
-        const bool is_object = end.status == WalkStatus::Object;
-        if (job.distance != nullptr) job.distance[i] = distance;
-        if (job.source_face != nullptr)
-            job.source_face[i] =
-                static_cast<accel::SourceFaceId>(end.status == WalkStatus::Hit ? end.target.bits : ~0u);
-        if (job.cell != nullptr) job.cell[i] = static_cast<accel::CellId>(end.cell);
-        if (job.status != nullptr) job.status[i] = end.status;
-        if (job.object != nullptr)
-            job.object[i] = static_cast<accel::ObjectId>(is_object ? sight.hit.object : no_object);
-        if (job.triangle != nullptr) job.triangle[i] = is_object ? sight.hit.triangle : no_triangle;
-    }
+    for (std::uint64_t k = job.begin; k < job.end; ++k)
+        answer_ray(scene, rooms, job, job.order != nullptr ? job.order[k] : k, events);
 }
 
 template <class Rooms, class Events>
 void trace_segments(const detail::SegmentJob& job, const Rooms& rooms, Events& events) {
     const accel::SceneView scene = *job.scene;
-    for (std::uint64_t k = job.begin; k < job.end; ++k) {
-        const std::uint64_t i = job.order != nullptr ? job.order[k] : k;
-        const std::uint32_t to_cell = job.to_cell != nullptr ? static_cast<std::uint32_t>(job.to_cell[i]) : no_cell;
-        job.visible[i] = static_cast<std::uint8_t>(sees(scene, rooms, {job.from[0][i], job.from[1][i], job.from[2][i]},
-                                                        {job.to[0][i], job.to[1][i], job.to[2][i]},
-                                                        static_cast<std::uint32_t>(job.from_cell[i]), to_cell, events));
-    }
+    for (std::uint64_t k = job.begin; k < job.end; ++k)
+        answer_segment(scene, rooms, job, job.order != nullptr ? job.order[k] : k, events);
 }
 
 }  // namespace
