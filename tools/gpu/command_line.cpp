@@ -1,0 +1,139 @@
+#include "tools/gpu/command_line.h"
+
+#include <charconv>
+#include <memory>
+
+#include "base/error.h"
+#include "render/cuda/device.h"
+#include "render/executor.h"
+#include "tools/gpu/check_frames.h"
+#include "tools/gpu/markdown.h"
+#include "tools/gpu/tried_scene.h"
+
+namespace enfilade::tools::gpu {
+
+namespace {
+
+constexpr const char* usage =
+    "enfilade_gpu: whether a CUDA card's pictures and rays are those of the scalar tracer, and how fast it is.\n"
+    "\n"
+    "  enfilade_gpu card                  says which card there is\n"
+    "  enfilade_gpu check SCENE.enf ...   compares every variant with the scalar tracer\n"
+    "\n"
+    "  --on card|host   where kernels run: a card, or this machine's cores, which run the same functions (card)\n"
+    "  --device N       which card, counted from 0 (0)\n"
+    "  --side N         pixels a side of compared pictures (1024; on the host 64)\n"
+    "  --views N        views of each scene that are compared, at most (2)\n"
+    "  --help           says this\n"
+    "\n"
+    "Reports go to standard output as Markdown, progress to standard error. Ends with 0 when all is well, 1 when\n"
+    "answers are wrong, 2 when a file or an argument is, 3 when a file or the card would not do its part.\n";
+
+struct Arguments {
+    std::string command;
+    std::vector<std::filesystem::path> scenes;
+    bool on_host = false;
+    int device = 0;
+    int side = 0;  ///< 0: what suits the device
+    int views = 2;
+};
+
+[[noreturn]] void refuse(const std::string& sentence) {
+    throw InputError("", "", sentence + " See enfilade_gpu --help.");
+}
+
+int number(const std::string& flag, const std::string& text, int least, int most) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
+        refuse(flag + " takes a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+               ", not \"" + text + "\".");
+    return value;
+}
+
+Arguments parsed(const std::vector<std::string>& words) {
+    Arguments arguments;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const auto value = [&]() -> const std::string& {
+            if (i + 1 == words.size()) refuse(word + " stands without its value.");
+            return words[++i];
+        };
+        if (word == "--on") {
+            const std::string& where = value();
+            if (where != "host" && where != "card") refuse("--on takes card or host, not \"" + where + "\".");
+            arguments.on_host = where == "host";
+        } else if (word == "--device") {
+            arguments.device = number(word, value(), 0, 1023);
+        } else if (word == "--side") {
+            arguments.side = number(word, value(), 1, 16384);
+        } else if (word == "--views") {
+            arguments.views = number(word, value(), 1, 10000);
+        } else if (word.starts_with("-")) {
+            refuse("There is no " + word + ".");
+        } else if (arguments.command.empty()) {
+            arguments.command = word;
+        } else {
+            arguments.scenes.emplace_back(word);
+        }
+    }
+    return arguments;
+}
+
+std::unique_ptr<render::cuda::Device> opened(const Arguments& arguments, const accel::Executor& executor) {
+    return arguments.on_host ? render::cuda::open_host(executor) : render::cuda::open_card(arguments.device);
+}
+
+int run_card(const Arguments& arguments, std::ostream& out) {
+    if (const std::string why = render::cuda::why_no_card(arguments.device); !why.empty())
+        throw render::cuda::CudaError(why);
+    for (const render::cuda::Card& card : render::cuda::cards()) {
+        if (card.number != arguments.device) continue;
+        out << card.name << ", compute capability " << card.major << "." << card.minor << ", " << card.multiprocessors
+            << " multiprocessors, " << bytes_text(card.memory_bytes) << ", L2 " << bytes_text(card.l2_bytes)
+            << ", driver for CUDA " << card.driver_version / 1000 << "." << card.driver_version % 1000 / 10 << "\n";
+    }
+    return 0;
+}
+
+int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) {
+    if (arguments.scenes.empty()) refuse("Name the scenes that are to be checked.");
+    const std::unique_ptr<accel::Executor> executor = render::make_executor();
+    const std::unique_ptr<render::cuda::Device> device = opened(arguments, *executor);
+    CheckOptions options;
+    options.side = arguments.side != 0 ? arguments.side : device->is_card() ? 1024 : 64;
+    options.views = static_cast<std::size_t>(arguments.views);
+
+    MarkdownTable table({"scene", "what", "by", "asked", "the same", "at edges", "leaks", "same means", "verdict"});
+    std::vector<std::string> faults;
+    for (const std::filesystem::path& file : arguments.scenes) {
+        log << "checking " << file.string() << std::endl;
+        const TriedScene scene = open_tried_scene(file);
+        for (const Agreement& row : check_frames(*device, scene, options, *executor)) {
+            table.add({row.scene, row.what, row.way, grouped(row.asked), share_text(row.same, row.asked),
+                       grouped(row.explained), grouped(row.leaks), row.bound, row.is_right ? "right" : "WRONG"});
+            if (!row.is_right) faults.push_back(row.scene + ", " + row.what + ", " + row.way + ": " + row.fault);
+        }
+    }
+    out << "## Agreement with the scalar tracer, on " << device->name() << "\n\n" << table.text() << "\n";
+    for (const std::string& fault : faults) out << "- " << fault << "\n";
+    out << (faults.empty() ? "All answers are right.\n" : "Some answers are wrong.\n");
+    return faults.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& log) {
+    for (const std::string& word : words) {
+        if (word != "--help" && word != "-h") continue;
+        out << usage;
+        return 0;
+    }
+    const Arguments arguments = parsed(words);
+    if (arguments.command == "card") return run_card(arguments, out);
+    if (arguments.command == "check") return run_check(arguments, out, log);
+    if (arguments.command.empty()) refuse("Say what to do: card or check.");
+    refuse("There is no command \"" + arguments.command + "\".");
+}
+
+}  // namespace enfilade::tools::gpu
