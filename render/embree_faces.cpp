@@ -7,7 +7,7 @@ namespace enfilade::render::detail {
 
 std::vector<PrimitiveLook> attach_faces(RTCDevice device, RTCScene to, const accel::SceneView& scene, EmbreeFaces faces,
                                         unsigned id) {
-    EmbreeMesh mesh = embree_mesh(scene, faces);
+    FaceMesh mesh = face_mesh(scene, faces);
     const bool has_quads = faces == EmbreeFaces::Quads;
     const std::size_t corners = has_quads ? 4 : 3;
     RTCGeometry geometry = rtcNewGeometry(device, has_quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE);

@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "render/embree_mesh.h"
+#include "render/embree_reference.h"
+#include "render/face_mesh.h"
 
 namespace enfilade::render::detail {
 

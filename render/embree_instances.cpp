@@ -10,7 +10,6 @@
 #include "render/embree_faces.h"
 #include "render/embree_jobs.h"
 #include "render/embree_lamps.h"
-#include "render/math.h"
 
 namespace enfilade::render {
 namespace {
@@ -80,11 +79,6 @@ void attach_instance(RTCDevice device, RTCScene to, RTCScene of, const std::arra
     rtcReleaseGeometry(instance);
 }
 
-detail::PrimitiveLook look_of(const accel::SceneView& scene, accel::MaterialId material) {
-    const auto& colour = scene.materials[index(material)].colour;
-    return {root(colour[0]), root(colour[1]), root(colour[2]), index(none<accel::SourceFaceId>) & ~detail::sky_bit};
-}
-
 /// What faces, triangles and whole objects look like, and what objects do to normals.
 class Looks {
 public:
@@ -94,7 +88,7 @@ public:
         for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
             first[m] = static_cast<std::uint32_t>(looks_.size());
             for (const accel::MeshTriangle& triangle : triangles_of(scene, scene.meshes[m]))
-                looks_.push_back(look_of(scene, triangle.material));
+                looks_.push_back(detail::look_of(scene, triangle.material));
         }
         for (const accel::PlacedObject& object : scene.objects) {
             detail::EmbreePlace place = place_at(is_flat ? in_place : object.object_from_scene.rows);
@@ -102,7 +96,7 @@ public:
             if (object.material != none<accel::MaterialId>) {
                 place.first_look = static_cast<std::uint32_t>(looks_.size());
                 place.look_mask = 0;
-                looks_.push_back(look_of(scene, object.material));
+                looks_.push_back(detail::look_of(scene, object.material));
             }
             places_.push_back(place);
         }

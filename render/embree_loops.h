@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "render/camera.h"
-#include "render/embree_mesh.h"
+#include "render/face_mesh.h"
 #include "render/look.h"
 #include "render/walk_events.h"
 

@@ -9,6 +9,7 @@
 #include "accel/parallel_for.h"
 #include "accel/scene.h"
 #include "render/camera.h"
+#include "render/face_mesh.h"
 #include "render/framebuffer.h"
 #include "render/ray_stream.h"
 #include "render/trace_rays.h"
@@ -16,7 +17,7 @@
 namespace enfilade::render {
 
 /// What Embree's scene is made of.
-enum class EmbreeFaces { Triangles, Quads };
+using EmbreeFaces = FaceShapes;
 
 /// How Embree is asked.
 struct EmbreeWay {

@@ -1,6 +1,7 @@
-#include "render/embree_mesh.h"
+#include "render/face_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/math.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 class MeshWriter {
 public:
-    MeshWriter(const accel::SceneView& scene, EmbreeFaces faces) : scene_(scene), faces_(faces) {
+    MeshWriter(const accel::SceneView& scene, FaceShapes shapes) : scene_(scene), shapes_(shapes) {
         for (const accel::Cell& cell : scene.cells) {
             add_level(cell, cell.z_floor, cell.floor, true);
             add_level(cell, cell.z_ceiling, cell.ceiling, false);
@@ -18,7 +19,7 @@ public:
                             cell.first_section + (i + 1u == cell.section_count ? 0 : i + 1));
         }
     }
-    EmbreeMesh mesh;
+    FaceMesh mesh;
 
 private:
     std::uint32_t add_vertex(std::uint32_t section, float z) {
@@ -37,7 +38,7 @@ private:
     /// The convex polygon whose corners are the vertices from `first`.
     void add_fan(std::uint32_t first, std::uint32_t count, accel::Target target, bool is_reversed) {
         const auto corner = [&](std::uint32_t i) { return first + (is_reversed ? count - 1 - i : i); };
-        if (faces_ == EmbreeFaces::Triangles) {
+        if (shapes_ == FaceShapes::Triangles) {
             for (std::uint32_t i = 2; i < count; ++i) add_primitive({corner(0), corner(i - 1), corner(i)}, target);
             return;
         }
@@ -69,13 +70,18 @@ private:
     }
 
     const accel::SceneView& scene_;
-    EmbreeFaces faces_;
+    FaceShapes shapes_;
 };
 
 }  // namespace
 
-EmbreeMesh embree_mesh(const accel::SceneView& scene, EmbreeFaces faces) {
-    return std::move(MeshWriter(scene, faces).mesh);
+FaceMesh face_mesh(const accel::SceneView& scene, FaceShapes shapes) {
+    return std::move(MeshWriter(scene, shapes).mesh);
+}
+
+PrimitiveLook look_of(const accel::SceneView& scene, accel::MaterialId material) {
+    const auto& colour = scene.materials[index(material)].colour;
+    return {root(colour[0]), root(colour[1]), root(colour[2]), index(none<accel::SourceFaceId>) & ~sky_bit};
 }
 
 }  // namespace enfilade::render::detail

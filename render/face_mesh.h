@@ -1,13 +1,17 @@
 #pragma once
-// Inside of the reference: the solid faces of all cells, as Embree wants them.
+// The solid faces of all cells as triangles or quads: what general ray tracers are given, Embree and those on cards.
 
 #include <cstdint>
 #include <vector>
 
 #include "accel/scene.h"
-#include "render/embree_reference.h"
 
-namespace enfilade::render::detail {
+namespace enfilade::render {
+
+/// What the faces of cells are made of for tracers that know no cells.
+enum class FaceShapes { Triangles, Quads };
+
+namespace detail {
 
 /// What a primitive looks like: one 16-byte load.
 struct PrimitiveLook {
@@ -17,7 +21,7 @@ struct PrimitiveLook {
 inline constexpr std::uint32_t sky_bit = 1u << 31;
 
 /// Corners of primitives, counter-clockwise on the side of light.
-struct EmbreeMesh {
+struct FaceMesh {
     std::vector<accel::Vertex> vertices;
     std::vector<std::uint32_t> corners;  ///< [primitive_count][3 or 4]; quads may repeat their last corner
     std::vector<PrimitiveLook> looks;    ///< [primitive_count]
@@ -25,6 +29,10 @@ struct EmbreeMesh {
 
 /// Walls as one quad or two triangles a face; floors and ceilings, which are convex, as fans: of quads with at most one
 /// triangle, or of triangles.
-[[nodiscard]] EmbreeMesh embree_mesh(const accel::SceneView& scene, EmbreeFaces faces);
+[[nodiscard]] FaceMesh face_mesh(const accel::SceneView& scene, FaceShapes shapes);
 
-}  // namespace enfilade::render::detail
+/// What triangles of objects look like: they are of no source face.
+[[nodiscard]] PrimitiveLook look_of(const accel::SceneView& scene, accel::MaterialId material);
+
+}  // namespace detail
+}  // namespace enfilade::render
