@@ -8,6 +8,7 @@
 #include "render/trace.h"
 #include "tools/gpu/exposure.h"
 #include "tools/gpu/frame_ways.h"
+#include "tools/gpu/inside_tracers.h"
 #include "tools/gpu/own_colours.h"
 #include "tools/gpu/picture_difference.h"
 
@@ -48,8 +49,7 @@ Agreement judged(const PictureDifference& all, const FrameTask& task, const Fram
     row.explained = all.at_edges;
     row.bound = must_be_exact ? "the same bits" : task.lamps ? "2 steps of 255" : "1 step of 255";
     const std::uint64_t wrong = task.lamps && !must_be_exact ? all.unexplained : all.pixels - row.same;
-    const std::uint64_t most =
-        must_be_exact ? 0 : static_cast<std::uint64_t>(most_differing * static_cast<double>(all.pixels));
+    const std::uint64_t most = must_be_exact ? 0 : allowed_to_differ(all.pixels);
     row.is_right = all.leaks == 0 && wrong <= most;
     return row;
 }
@@ -67,12 +67,7 @@ std::vector<Agreement> check_frames(render::cuda::Device& device, const TriedSce
         shared.trees = trees.view();
         shared.exposure = picture_exposure(scene, shared.trees, executor);
     }
-    std::unique_ptr<render::ObjectAccel> inside;
-    render::ObjectTracer objects;
-    if (scene.has_objects()) {
-        inside = build_object_accel(shared.scene, render::ObjectAccelKind::Plain, executor);
-        objects = inside->tracer();
-    }
+    const InsideTracers inside(shared.scene, executor);
     const std::vector<TriedView> views(
         scene.views.begin(),
         scene.views.begin() + static_cast<std::ptrdiff_t>(std::min(options.views, scene.views.size())));
@@ -80,17 +75,19 @@ std::vector<Agreement> check_frames(render::cuda::Device& device, const TriedSce
     std::vector<Agreement> rows;
     for (const FrameTask& task : frame_tasks()) {
         if ((task.lamps && !scene.has_lamps()) || (task.with_objects && !scene.has_objects())) continue;
-        const std::vector<render::Framebuffer> expected =
-            expected_frames(shared, task, views, options.side, &objects, executor);
+        std::map<render::ObjectAccelKind, std::vector<render::Framebuffer>> expected;
         for (const FrameWay& way : frame_ways()) {
             const std::unique_ptr<FrameMaker> maker = way.open(device, shared, task);
             if (maker == nullptr) continue;
+            std::vector<render::Framebuffer>& wanted = expected[way.inside];
+            if (wanted.empty())
+                wanted = expected_frames(shared, task, views, options.side, inside.of(way.inside), executor);
             PictureDifference all;
             for (std::size_t v = 0; v < views.size(); ++v) {
                 render::Framebuffer actual;
                 maker->draw(views[v].frame(options.side), views[v].start, options.side);
                 maker->read(actual);
-                PictureDifference found = difference(expected[v], actual, task.lamps ? 2 : 1);
+                PictureDifference found = difference(wanted[v], actual, task.lamps ? 2 : 1);
                 if (!found.first.empty()) found.first += " of view " + views[v].name;
                 all.add(found);
             }

@@ -7,6 +7,7 @@
 #include "render/cuda/device.h"
 #include "render/executor.h"
 #include "tools/gpu/check_frames.h"
+#include "tools/gpu/check_streams.h"
 #include "tools/gpu/markdown.h"
 #include "tools/gpu/tried_scene.h"
 
@@ -104,14 +105,20 @@ int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     options.side = arguments.side != 0 ? arguments.side : device->is_card() ? 1024 : 64;
     options.views = static_cast<std::size_t>(arguments.views);
 
-    MarkdownTable table({"scene", "what", "by", "asked", "the same", "at edges", "leaks", "same means", "verdict"});
+    if (!device->is_card()) options.rays = 1 << 12;
+    MarkdownTable table({"scene", "what", "by", "asked", "the same", "at edges", "leaks", "largest error of a distance",
+                         "same means", "verdict"});
     std::vector<std::string> faults;
     for (const std::filesystem::path& file : arguments.scenes) {
         log << "checking " << file.string() << std::endl;
         const TriedScene scene = open_tried_scene(file);
-        for (const Agreement& row : check_frames(*device, scene, options, *executor)) {
+        std::vector<Agreement> rows = check_frames(*device, scene, options, *executor);
+        for (Agreement& row : check_streams(*device, scene, options, *executor)) rows.push_back(std::move(row));
+        for (const Agreement& row : rows) {
             table.add({row.scene, row.what, row.way, grouped(row.asked), share_text(row.same, row.asked),
-                       grouped(row.explained), grouped(row.leaks), row.bound, row.is_right ? "right" : "WRONG"});
+                       grouped(row.explained), grouped(row.leaks),
+                       row.distance_error > 0 ? three_digits(1e6 * row.distance_error) + " um" : "0", row.bound,
+                       row.is_right ? "right" : "WRONG"});
             if (!row.is_right) faults.push_back(row.scene + ", " + row.what + ", " + row.way + ": " + row.fault);
         }
     }

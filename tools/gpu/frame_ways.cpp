@@ -1,5 +1,8 @@
 #include "tools/gpu/frame_ways.h"
 
+#include "render/cuda/buffer.h"
+#include "render/cuda/device_scene.h"
+#include "render/cuda/packets.h"
 #include "render/cuda/pictures.h"
 
 namespace enfilade::tools::gpu {
@@ -29,6 +32,46 @@ std::unique_ptr<FrameMaker> open_pixels(Device& device, const FrameScene& scene,
     return std::make_unique<Pixels>(device, scene, task);
 }
 
+/// Tiles by the corner rays of a warp.
+class Packets : public FrameMaker {
+public:
+    Packets(Device& device, const FrameScene& scene, const FrameTask& task, render::cuda::PacketTiles tiles)
+        : device_(device), arrays_(device), scene_(copy_scene(scene.scene, arrays_)) {
+        job_.scene = &scene_;
+        job_.look = render::lambert_look({});
+        job_.mirror_floor = task.mirror_floor;
+        job_.tiles = tiles;
+    }
+
+    void draw(const render::CameraFrame& frame, accel::CellId start, int side) override {
+        const std::size_t pixels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+        if (image_.size() != pixels) image_ = render::cuda::Buffer<std::uint32_t>(device_, pixels);
+        job_.camera = frame;
+        job_.start = start;
+        job_.width = job_.height = side;
+        job_.rgba = image_.data();
+        draw_packets(device_, job_);
+    }
+    void read(render::Framebuffer& framebuffer) override {
+        framebuffer = render::Framebuffer(job_.width, job_.height);
+        device_.download(framebuffer.rgba.data(), image_.data(), image_.bytes());
+    }
+    std::size_t bytes() const override { return arrays_.bytes() + image_.bytes(); }
+
+private:
+    Device& device_;
+    render::cuda::DeviceArrays arrays_;
+    accel::SceneView scene_;
+    render::cuda::PacketJob job_ = {};
+    render::cuda::Buffer<std::uint32_t> image_;
+};
+
+template <int largest, int smallest>
+std::unique_ptr<FrameMaker> open_packets(Device& device, const FrameScene& scene, const FrameTask& task) {
+    if (task.with_objects || task.lamps) return nullptr;
+    return std::make_unique<Packets>(device, scene, task, render::cuda::PacketTiles{largest, smallest});
+}
+
 }  // namespace
 
 std::vector<FrameTask> frame_tasks() {
@@ -45,7 +88,10 @@ std::vector<FrameTask> frame_tasks() {
 
 const std::vector<FrameWay>& frame_ways() {
     static const std::vector<FrameWay> ways = {
-        {"a thread a pixel", true, true, open_pixels},
+        {"a thread a pixel", true, true, render::ObjectAccelKind::Octree, open_pixels},
+        {"packets 8:4", true, false, render::ObjectAccelKind::Octree, open_packets<8, 4>},
+        {"packets 16:4", true, false, render::ObjectAccelKind::Octree, open_packets<16, 4>},
+        {"packets 32:8", true, false, render::ObjectAccelKind::Octree, open_packets<32, 8>},
     };
     return ways;
 }

@@ -52,6 +52,7 @@ struct FrameWay {
     const char* name;
     bool is_ours;   ///< else a baseline
     bool is_exact;  ///< the same formulas in the same order as the scalar tracer's: on the host the same bits
+    render::ObjectAccelKind inside;  ///< with which structures inside of objects the scalar tracer is to be compared
     /// nullptr: this way has no such pictures.
     std::unique_ptr<FrameMaker> (*open)(render::cuda::Device& device, const FrameScene& scene, const FrameTask& task);
 };
