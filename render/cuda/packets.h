@@ -13,7 +13,7 @@ namespace enfilade::render::cuda {
 /// Sides of tiles in pixels, powers of two: a warp begins with 4 x 2 of the largest ones, and what does not agree below
 /// the smallest ones is walked pixel by pixel.
 struct PacketTiles {
-    int largest = 16;  ///< 4 to 256
+    int largest = 16;  ///< 4 to 64
     int smallest = 4;  ///< 4 to `largest`
 };
 

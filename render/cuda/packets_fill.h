@@ -31,12 +31,26 @@ ENFILADE_HD float quick_root(float a) {
 #endif
 }
 
-/// The lowest bytes of three numbers and 255, from the lowest on.
-ENFILADE_HD std::uint32_t packed(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+/// Adding it to a number of up to 255 rounds that to an integer and leaves it in the lowest byte.
+inline constexpr float rounds_to_integer = 0x1p23f;
+/// The same, and leaves 255 in the byte above it.
+inline constexpr float rounds_below_alpha = 0x1p23f + 65280.0f;
+
+/// A pixel from channels to which rounds_to_integer has been added, to blue rounds_below_alpha.
+ENFILADE_HD std::uint32_t packed(float r, float g, float b) {
 #if defined(__CUDA_ARCH__)
-    return __byte_perm(__byte_perm(r, g, 0x0040), __byte_perm(b, 0xffu, 0x0040), 0x5410);
+    return __byte_perm(__byte_perm(bits_of(r), bits_of(g), 0x0040), bits_of(b), 0x5410);
 #else
-    return (r & 0xffu) | (g & 0xffu) << 8 | (b & 0xffu) << 16 | 0xff000000u;
+    return (bits_of(r) & 0xffu) | (bits_of(g) & 0xffu) << 8 | bits_of(b) << 16;
+#endif
+}
+
+/// From 0 to 1.
+ENFILADE_HD float saturated(float a) {
+#if defined(__CUDA_ARCH__)
+    return __saturatef(a);
+#else
+    return a > 0 ? (a < 1 ? a : 1.0f) : 0.0f;
 #endif
 }
 
@@ -87,14 +101,12 @@ ENFILADE_HD Paint paint_of(const PacketView& view, const Bundle& bundle, const W
 struct PaintRow {
     float squared, squared_by_x;  ///< d . d = squared + x (squared_by_x + x by_xx)
     float facing;                 ///< at x = 0
-    float down;                   ///< of the direction, at x = 0
 
     ENFILADE_HD PaintRow(const PacketView& view, const Paint& paint, int row) {
         const float y = static_cast<float>(row) + 0.5f;
         squared = fused(y, fused(y, view.lengths.by_yy, view.lengths.by_y), view.lengths.of_corner);
         squared_by_x = fused(y, view.lengths.by_xy, view.lengths.by_x);
         facing = fused(y, paint.by_y, paint.at_corner);
-        down = -fused(y, view.camera.dv.z, view.camera.corner.z);
     }
     ENFILADE_HD float squared_at(const PacketView& view, float x) const {
         return fused(x, fused(x, view.lengths.by_xx, squared_by_x), squared);
@@ -103,19 +115,17 @@ struct PaintRow {
 
 /// A pixel of one face.
 ENFILADE_HD std::uint32_t face_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x) {
-    constexpr float rounds_to_integer = 0x1p23f;  // and leaves it in the lowest bits
     const float facing = fused(x, paint.by_x, row.facing);
-    const float cosine = facing * quick_inverse_root(row.squared_at(view, x));
-    const float bright = quick_root(cosine > 0 ? cosine : 0.0f);
-    return packed(bits_of(fused(bright, paint.r, rounds_to_integer)),
-                  bits_of(fused(bright, paint.g, rounds_to_integer)),
-                  bits_of(fused(bright, paint.b, rounds_to_integer)));
+    const float bright = quick_root(saturated(facing * quick_inverse_root(row.squared_at(view, x))));
+    return packed(fused(bright, paint.r, rounds_to_integer), fused(bright, paint.g, rounds_to_integer),
+                  fused(bright, paint.b, rounds_below_alpha));
 }
 
 /// A pixel of a floor that mirrors, if any, and of what is seen in it.
-ENFILADE_HD std::uint32_t layered_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x) {
+ENFILADE_HD std::uint32_t layered_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x,
+                                        float y) {
     const float inverse = 1.0f / root(row.squared_at(view, x));
-    const float down = fused(x, -view.camera.du.z, row.down) * inverse;
+    const float down = -fused(x, view.camera.du.z, fused(y, view.camera.dv.z, view.camera.corner.z)) * inverse;
     const float along = fused(x, paint.by_x, row.facing) * inverse;
     const float clipped = along > 0 ? along : 0.0f;
     const Vec3f scale = {paint.r, paint.g, paint.b};
@@ -152,7 +162,8 @@ ENFILADE_HD void fill_four(const PacketView& view, const Paint& paint, int x, in
     if (paint.kind == PaintKind::Face) {
         for (int i = 0; i < 4; ++i) pixels.of[i] = face_pixel(view, paint, row, first + static_cast<float>(i));
     } else {
-        for (int i = 0; i < 4; ++i) pixels.of[i] = layered_pixel(view, paint, row, first + static_cast<float>(i));
+        for (int i = 0; i < 4; ++i)
+            pixels.of[i] = layered_pixel(view, paint, row, first + static_cast<float>(i), static_cast<float>(y) + 0.5f);
     }
     store_four(view, x, y, pixels);
 }

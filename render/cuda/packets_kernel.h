@@ -32,17 +32,27 @@ ENFILADE_HD std::uint32_t full_groups(std::uint32_t lanes) {
 
 /// What the lanes of a warp tell each other.
 struct PacketMemory {
-    // Two tiles are taken, eight put back: each of at most six halvings leaves six more than the one before.
-    static constexpr int most_waiting = 8 + 6 * 6;
-    Bundle waiting[most_waiting];  ///< tiles that are to be split, the smallest last
-    int log_sides[most_waiting];   ///< of these, in pixels
-    Bundle parted[warp_tiles];     ///< tiles of the round whose pixels go on by themselves
-    Paint paints[warp_tiles];      ///< of the tiles of the round that are filled
+    // Two tiles are taken, eight put back: each halving but the last leaves six more than the one before.
+    static constexpr int most_waiting = 8 + 6 * (PacketView::most_halvings - 1);
+    Bundle waiting[most_waiting];      ///< tiles that are to be split, the smallest last
+    int log_sides[most_waiting];       ///< of these, in pixels
+    Bundle tiles[warp_tiles];          ///< of the round
+    Paint paints[warp_tiles];          ///< of those that are filled
+    std::uint32_t filled[warp_tiles];  ///< which these are
+    std::uint32_t parted[warp_tiles];  ///< and whose corners did not agree
 };
 
 enum class TileEnd : std::uint32_t { Absent, Walking, Filled, Parted };
 
-/// Corner rays of a tile: lane k % 4 has the corner to the right (bit 0), below (bit 1).
+/// The ray through a corner of a tile, where it is: a lane's own.
+struct CornerRay {
+    Ray<float> ray;
+    std::uint32_t cell, entry, entry_next;
+    bool is_mirrored;
+};
+
+/// Lane k has the corner of tile k / 4 on the right (bit 0 of k), below (bit 1). What its corners share is in memory,
+/// written by the first of them.
 template <class Rooms, class Events>
 class PacketWarp {
 public:
@@ -52,56 +62,55 @@ public:
 
     /// The w-th rectangle of 4 x 2 of the largest tiles.
     ENFILADE_HD void draw(std::uint64_t w) {
-        PerLane<Bundle> bundles;
         const int left = static_cast<int>(w % view_.across) * PacketView::tiles_across;
         const int top = static_cast<int>(w / view_.across) * PacketView::tiles_down;
         int log_side = view_.log_largest;
         for (const int lane : warp_.lanes())
-            bundles[lane] = bundle_at_eye(view_, (left + (lane >> 2) % PacketView::tiles_across) << log_side,
-                                          (top + (lane >> 2) / PacketView::tiles_across) << log_side);
-        int waiting = 0;
-        std::uint32_t present = 0xffu;
+            if (lane < warp_tiles)
+                memory_.tiles[lane] = bundle_at_eye(view_, (left + lane % PacketView::tiles_across) << log_side,
+                                                    (top + lane / PacketView::tiles_across) << log_side);
+        int tiles = warp_tiles, waiting = 0;
         for (;;) {
-            draw_round(bundles, log_side, present, waiting);
-            if (waiting == 0) return;
+            warp_.meet();
+            draw_round(tiles, log_side, waiting);
+            if (waiting == 0) break;
             log_side = memory_.log_sides[waiting - 1] - 1;
             const int taken = waiting > 1 && memory_.log_sides[waiting - 2] == log_side + 1 ? 2 : 1;
             waiting -= taken;
-            present = taken == 2 ? 0xffu : 0x0fu;
+            tiles = 4 * taken;
             for (const int lane : warp_.lanes()) {
-                const int group = lane >> 2, quarter = group & 3;
-                bundles[lane] = memory_.waiting[waiting + (taken == 2 ? group >> 2 : 0)];
-                bundles[lane].x += (quarter & 1) << log_side;
-                bundles[lane].y += (quarter >> 1) << log_side;
+                if (lane >= tiles) continue;
+                Bundle& quarter = memory_.tiles[lane];
+                quarter = memory_.waiting[waiting + (lane >> 2)];
+                quarter.x += (lane & 1) << log_side;
+                quarter.y += (lane >> 1 & 1) << log_side;
             }
-            warp_.meet();
         }
+        if (are_astray_) draw_astray(left << view_.log_largest, top << view_.log_largest);
     }
 
 private:
-    /// Traces up to eight tiles; those that must be split are put to those that wait.
-    ENFILADE_HD void draw_round(PerLane<Bundle>& bundles, int log_side, std::uint32_t present, int& waiting) {
-        const int side = 1 << log_side;
-        const bool may_split = side > view_.smallest;
-        PerLane<TileEnd> ends;
-        walk_corners(bundles, side, present, ends);
-        PerLane<bool> is;
-        for (const int lane : warp_.lanes()) is[lane] = ends[lane] == TileEnd::Filled;
-        const std::uint32_t filled = full_groups(warp_.ballot(is));
-        for (const int lane : warp_.lanes()) is[lane] = ends[lane] == TileEnd::Parted;
-        const std::uint32_t parted = full_groups(warp_.ballot(is));
+    static constexpr std::uint32_t astray = 0;  ///< no pixel is: their highest byte is 255
+
+    /// Traces so many tiles; those that must be split are put to those that wait.
+    ENFILADE_HD void draw_round(int tiles, int log_side, int& waiting) {
+        std::uint32_t filled = 0, parted = 0;
+        walk_corners(tiles, 1 << log_side, filled, parted);
+        const bool may_split = 1 << log_side > view_.smallest;
         for (const int lane : warp_.lanes()) {
-            if ((lane & 3) != 0 || (parted >> (lane >> 2) & 1u) == 0) continue;
-            const int rank = bit_count(parted & ((1u << (lane >> 2)) - 1));
-            if (may_split) {
-                memory_.waiting[waiting + rank] = bundles[lane];
-                memory_.log_sides[waiting + rank] = log_side;
-            } else {
-                memory_.parted[rank] = bundles[lane];
-            }
+            if (lane >= warp_tiles) continue;
+            const auto tile = static_cast<std::uint32_t>(lane);
+            const std::uint32_t before = (1u << tile) - 1;
+            if ((filled >> tile & 1u) != 0) memory_.filled[bit_count(filled & before)] = tile;
+            if ((parted >> tile & 1u) == 0) continue;
+            const int rank = bit_count(parted & before);
+            memory_.parted[rank] = tile;
+            if (!may_split) continue;
+            memory_.waiting[waiting + rank] = memory_.tiles[tile];
+            memory_.log_sides[waiting + rank] = log_side;
         }
         warp_.meet();
-        if (filled != 0) fill_tiles(bit_count(filled), log_side);
+        fill_tiles(bit_count(filled), log_side);
         if (parted != 0) {
             events_.split(bit_count(parted));
             if (may_split) waiting += bit_count(parted);
@@ -110,50 +119,51 @@ private:
         warp_.meet();
     }
 
-    /// The corners of a tile go on together until they part, or end.
-    ENFILADE_HD void walk_corners(PerLane<Bundle>& bundles, int side, std::uint32_t present, PerLane<TileEnd>& ends) {
-        PerLane<Ray<float>> rays;
-        PerLane<WalkEnd<float>> exits;
+    /// The corners of a tile go on together until they part, or end. Bit k of the results: of tile k.
+    ENFILADE_HD void walk_corners(int tiles, int side, std::uint32_t& filled, std::uint32_t& parted) {
+        PerLane<CornerRay> corners;
+        PerLane<TileEnd> ends;
         PerLane<bool> is;
         for (const int lane : warp_.lanes()) {
-            const Bundle& bundle = bundles[lane];
-            const bool is_present =
-                (present >> (lane >> 2) & 1u) != 0 && bundle.x < view_.width && bundle.y < view_.height;
-            ends[lane] = is_present ? TileEnd::Walking : TileEnd::Absent;
-            is[lane] = is_present;
-            const int right = bundle.x + side < view_.width ? bundle.x + side : view_.width;
-            const int below = bundle.y + side < view_.height ? bundle.y + side : view_.height;
-            rays[lane] =
-                ray_of(view_, bundle, (lane & 1) != 0 ? right - 1 : bundle.x, (lane & 2) != 0 ? below - 1 : bundle.y);
+            const Bundle& tile = memory_.tiles[lane >> 2];
+            is[lane] = lane >> 2 < tiles && tile.x < view_.width && tile.y < view_.height;
+            ends[lane] = is[lane] ? TileEnd::Walking : TileEnd::Absent;
+            if (is[lane]) corners[lane] = corner_of(tile, side, lane & 3);
         }
         std::uint32_t walking = warp_.ballot(is);
         events_.walked_corners(bit_count(full_groups(walking)));
         for (std::uint64_t steps = view_.scene.cells.count + 16; walking != 0 && steps > 0; --steps) {
             events_.stepped();
-            const std::uint32_t agreed = leave_cells(bundles, rays, ends, exits);
-            for (const int lane : warp_.lanes()) {
-                if (ends[lane] == TileEnd::Walking) {
-                    const bool agrees = (agreed >> (lane >> 2) & 1u) != 0;
-                    take_step(agrees, exits[lane], bundles[lane], rays[lane], ends[lane]);
-                }
-                is[lane] = ends[lane] == TileEnd::Walking;
-            }
+            take_step(corners, ends);
+            for (const int lane : warp_.lanes()) is[lane] = ends[lane] == TileEnd::Walking;
             walking = warp_.ballot(is);
         }
-        for (const int lane : warp_.lanes())
-            if (ends[lane] == TileEnd::Walking) ends[lane] = TileEnd::Parted;
         for (const int lane : warp_.lanes()) is[lane] = ends[lane] == TileEnd::Filled;
-        const std::uint32_t filled = full_groups(warp_.ballot(is));
-        for (const int lane : warp_.lanes())
-            if ((lane & 3) == 0 && ends[lane] == TileEnd::Filled)
-                memory_.paints[bit_count(filled & ((1u << (lane >> 2)) - 1))] =
-                    paint_of(view_, bundles[lane], exits[lane]);
+        filled = full_groups(warp_.ballot(is));
+        for (const int lane : warp_.lanes()) {
+            is[lane] = ends[lane] == TileEnd::Parted || ends[lane] == TileEnd::Walking;
+            if (is[lane] && (lane & 3) == 0) keep(corners[lane], memory_.tiles[lane >> 2]);
+        }
+        parted = full_groups(warp_.ballot(is));
     }
 
-    /// By which faces the corners leave their cells. Bit k: those of group k by the same one.
-    ENFILADE_HD std::uint32_t leave_cells(const PerLane<Bundle>& bundles, const PerLane<Ray<float>>& rays,
-                                          const PerLane<TileEnd>& ends, PerLane<WalkEnd<float>>& exits) {
+    [[nodiscard]] ENFILADE_HD CornerRay corner_of(const Bundle& tile, int side, int corner) const {
+        const int right = tile.x + side < view_.width ? tile.x + side : view_.width;
+        const int below = tile.y + side < view_.height ? tile.y + side : view_.height;
+        return {ray_of(view_, tile, (corner & 1) != 0 ? right - 1 : tile.x, (corner & 2) != 0 ? below - 1 : tile.y),
+                tile.cell, tile.entry, tile.entry_next, tile.is_mirrored()};
+    }
+
+    static ENFILADE_HD void keep(const CornerRay& corner, Bundle& tile) {
+        tile.cell = corner.cell;
+        tile.entry = corner.entry;
+        tile.entry_next = corner.entry_next;
+    }
+
+    /// All that walk leave their cells; tiles whose corners do so by one face go on through it, or end there.
+    ENFILADE_HD void take_step(PerLane<CornerRay>& corners, PerLane<TileEnd>& ends) {
         constexpr std::uint32_t by_floor = 0xfffffffeu, by_ceiling = 0xfffffffdu, by_none = 0xffffffffu;
+        PerLane<WalkEnd<float>> exits;
         PerLane<std::uint32_t> keys;
         PerLane<int> beside, below;
         for (const int lane : warp_.lanes()) {
@@ -161,11 +171,11 @@ private:
             beside[lane] = lane ^ 1;
             below[lane] = lane ^ 2;
             if (ends[lane] != TileEnd::Walking) continue;
-            const Bundle& b = bundles[lane];
-            events_.entered_cell(view_.scene.cells[b.cell].section_count);
+            const CornerRay& c = corners[lane];
+            events_.entered_cell(view_.scene.cells[c.cell].section_count);
             WalkEnd<float>& end = exits[lane];
-            leave_cell(view_.scene, rays[lane], b.cell, b.entry, b.entry_next, true, NoLimit{}, events_, end);
-            if (!ends_behind(rays[lane], end))
+            leave_cell(view_.scene, c.ray, c.cell, c.entry, c.entry_next, true, NoLimit{}, events_, end);
+            if (!ends_behind(c.ray, end))
                 keys[lane] = end.exit == Exit::Side ? end.face : end.exit == Exit::Floor ? by_floor : by_ceiling;
         }
         const PerLane<std::uint32_t> keys_beside = warp_.gathered(keys, beside),
@@ -173,18 +183,30 @@ private:
         PerLane<bool> agrees;
         for (const int lane : warp_.lanes())
             agrees[lane] = keys[lane] != by_none && keys[lane] == keys_beside[lane] && keys[lane] == keys_below[lane];
-        return full_groups(warp_.ballot(agrees));
+        const std::uint32_t agreed = full_groups(warp_.ballot(agrees));
+        for (const int lane : warp_.lanes()) {
+            if (ends[lane] != TileEnd::Walking) continue;
+            if ((agreed >> (lane >> 2) & 1u) != 0) follow(exits[lane], lane, corners[lane], ends[lane]);
+            else ends[lane] = TileEnd::Parted;
+        }
     }
 
-    ENFILADE_HD void take_step(bool agrees, const WalkEnd<float>& exit, Bundle& bundle, Ray<float>& ray, TileEnd& end) {
-        if (!agrees) {
-            end = TileEnd::Parted;
-        } else if (exit.target.is_portal()) {
-            go_on(view_, exit, bundle, events_);
-        } else if (meets_mirror(view_, exit, bundle)) {
-            reflect(view_, exit, bundle);
-            ray = mirrored(ray, view_.scene.cells[bundle.cell].z_floor);
+    /// A corner leaves its cell by a face, as the three others do.
+    ENFILADE_HD void follow(const WalkEnd<float>& exit, int lane, CornerRay& corner, TileEnd& end) {
+        Bundle& tile = memory_.tiles[lane >> 2];
+        const bool is_first = (lane & 3) == 0;
+        if (exit.target.is_portal()) {
+            if (is_first && exit.target.is_glass()) pass_glass(view_, exit, tile, events_);
+            corner.entry = exit.exit == Exit::Side ? exit.section : no_section;
+            corner.entry_next = exit.next_section;
+            corner.cell = static_cast<std::uint32_t>(exit.target.neighbour());
+        } else if (meets_mirror(view_, exit, corner.is_mirrored)) {
+            if (is_first) reflect(view_, exit, tile);
+            corner.ray = mirrored(corner.ray, view_.scene.cells[corner.cell].z_floor);
+            corner.entry = corner.entry_next = no_section;
+            corner.is_mirrored = true;
         } else {
+            if (is_first) memory_.paints[lane >> 2] = paint_of(view_, tile, exit);
             end = TileEnd::Filled;
         }
     }
@@ -197,7 +219,7 @@ private:
             for (const int lane : warp_.lanes()) {
                 const int quad = first + lane;
                 if (quad >= tiles << log_quads) continue;
-                const Paint& paint = memory_.paints[quad >> log_quads];
+                const Paint& paint = memory_.paints[memory_.filled[quad >> log_quads]];
                 const int x = static_cast<int>(paint.place & 0xffffu) + ((quad & ((1 << log_across) - 1)) << 2);
                 const int y = static_cast<int>(paint.place >> 16) + (quad >> log_across & ((1 << log_side) - 1));
                 if (x >= view_.width || y >= view_.height) continue;
@@ -207,23 +229,46 @@ private:
         }
     }
 
-    /// Pixels of tiles that have parted, so many a lane.
+    /// Pixels of tiles that have parted, one a lane.
     ENFILADE_HD void draw_pixels(int tiles, int log_side) {
         for (int first = 0; first < tiles << (2 * log_side); first += warp_size) {
             int drawn = 0;
+            PerLane<bool> is_astray;
             for (const int lane : warp_.lanes()) {
                 const int pixel = first + lane;
+                is_astray[lane] = false;
                 if (pixel >= tiles << (2 * log_side)) continue;
-                const Bundle& bundle = memory_.parted[pixel >> (2 * log_side)];
-                const int x = bundle.x + (pixel & ((1 << log_side) - 1));
-                const int y = bundle.y + (pixel >> log_side & ((1 << log_side) - 1));
+                const Bundle& tile = memory_.tiles[memory_.parted[pixel >> (2 * log_side)]];
+                const int x = tile.x + (pixel & ((1 << log_side) - 1));
+                const int y = tile.y + (pixel >> log_side & ((1 << log_side) - 1));
                 if (x >= view_.width || y >= view_.height) continue;
                 ++drawn;
-                view_.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
-                           static_cast<std::size_t>(x)] = encoded(pixel_from(view_, rooms_, bundle, x, y, events_));
+                Vec3f light;
+                is_astray[lane] = !pixel_from<Rooms>(view_, tile, x, y, events_, light);
+                *place_of(x, y) = is_astray[lane] ? astray : encoded(light);
             }
+            are_astray_ |= warp_.ballot(is_astray) != 0;
             events_.walked_pixels(drawn);
         }
+    }
+
+    /// Pixels that rounding led astray. Looked for when all else is done: that costs the other pixels no registers.
+    ENFILADE_HD void draw_astray(int left, int top) {
+        warp_.meet();
+        const int log_across = view_.log_largest + 2, pixels = 1 << (2 * view_.log_largest + 3);
+        for (int first = 0; first < pixels; first += warp_size)
+            for (const int lane : warp_.lanes()) {
+                const int x = left + ((first + lane) & ((1 << log_across) - 1)),
+                          y = top + ((first + lane) >> log_across);
+                if (x >= view_.width || y >= view_.height || *place_of(x, y) != astray) continue;
+                events_.walked_from_start();
+                *place_of(x, y) = encoded(pixel_in_double<Rooms>(view_, x, y));
+            }
+    }
+
+    [[nodiscard]] ENFILADE_HD std::uint32_t* place_of(int x, int y) const {
+        return view_.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
+               static_cast<std::size_t>(x);
     }
 
     const PacketView& view_;
@@ -231,6 +276,7 @@ private:
     const Warp& warp_;
     PacketMemory& memory_;
     Events& events_;
+    bool are_astray_ = false;
 };
 
 /// A warp's rectangle.

@@ -34,6 +34,7 @@ struct PacketView {
     std::uint32_t across;   ///< warps beside each other
     bool stores_quads;      ///< four pixels of a row may be stored at once: its width is a multiple of four
     static constexpr int tiles_across = 4, tiles_down = 2;  ///< of a warp
+    static constexpr int most_halvings = 4;                 ///< from the largest tiles to the smallest
 };
 
 /// What the rays of a tile have in common where they are: the numbers of any one of them.
@@ -59,30 +60,24 @@ ENFILADE_HD Ray<float> ray_of(const PacketView& view, const Bundle& bundle, int 
     return bundle.is_mirrored() ? mirrored(ray, view.scene.cells[bundle.floor_cell].z_floor) : ray;
 }
 
-/// Through a portal.
+/// Through a portal of glass.
 template <class Events>
-ENFILADE_HD void go_on(const PacketView& view, const WalkEnd<float>& end, Bundle& bundle, Events& events) {
-    if (end.target.is_glass()) {
-        bundle.tint = bundle.tint * tint_of(view.scene, bundle.cell, end.exit, end.face);
-        events.crossed_glass();
-    }
-    bundle.entry = end.exit == Exit::Side ? end.section : no_section;
-    bundle.entry_next = end.next_section;
-    bundle.cell = static_cast<std::uint32_t>(end.target.neighbour());
+ENFILADE_HD void pass_glass(const PacketView& view, const WalkEnd<float>& end, Bundle& bundle, Events& events) {
+    bundle.tint = bundle.tint * tint_of(view.scene, end.cell, end.exit, end.face);
+    events.crossed_glass();
 }
 
-ENFILADE_HD bool meets_mirror(const PacketView& view, const WalkEnd<float>& end, const Bundle& bundle) {
-    return view.mirror_floor > 0 && end.exit == Exit::Floor && !bundle.is_mirrored() &&
+ENFILADE_HD bool meets_mirror(const PacketView& view, const WalkEnd<float>& end, bool is_mirrored) {
+    return view.mirror_floor > 0 && end.exit == Exit::Floor && !is_mirrored &&
            is_mirror(view.scene.source_faces[end.target.bits], end.exit);
 }
 
-/// From the floor of the bundle's cell.
+/// From the floor of the cell where the rays are.
 ENFILADE_HD void reflect(const PacketView& view, const WalkEnd<float>& end, Bundle& bundle) {
     const Vec3f light = bundle.tint * colour_of(view.scene, view.scene.source_faces[end.target.bits]);
     bundle.floor = (1 - view.mirror_floor) * light;
     bundle.tint = view.mirror_floor * bundle.tint;
-    bundle.floor_cell = bundle.cell;
-    bundle.entry = bundle.entry_next = no_section;
+    bundle.floor_cell = end.cell;
 }
 
 }  // namespace enfilade::render::cuda
