@@ -85,8 +85,8 @@ private:
     ENFILADE_HD void step(const BvhNode* node, Stack& waiting, Events& events) {
         events.visited_node();
         const auto* from = reinterpret_cast<const unsigned char*>(node);
-        const Quad xy = load_quad(from), z = load_quad(from + 16), high = load_quad(from + 32);
-        const Quad child = load_quad(from + 48);
+        const Float4 xy = load_float4(from), z = load_float4(from + 16), high = load_float4(from + 32);
+        const Float4 child = load_float4(from + 48);
         float enter0, enter1;
         const bool meets0 = meets({xy.x, xy.z, z.x}, {z.z, high.x, high.z}, enter0);
         const bool meets1 = meets({xy.y, xy.w, z.y}, {z.w, high.y, high.w}, enter1);

@@ -18,17 +18,17 @@ namespace enfilade::render::cuda {
 #endif
 
 /// 16 bytes in one load.
-struct Quad {
+struct Float4 {
     float x, y, z, w;
 };
 
 /// \pre aligned to 16 bytes; nobody writes there while the kernel runs
-ENFILADE_HD Quad load_quad(const void* from) {
+ENFILADE_HD Float4 load_float4(const void* from) {
 #if defined(__CUDA_ARCH__)
     const float4 q = __ldg(static_cast<const float4*>(from));
     return {q.x, q.y, q.z, q.w};
 #else
-    Quad q;
+    Float4 q;
     std::memcpy(&q, from, sizeof q);
     return q;
 #endif
@@ -69,7 +69,7 @@ ENFILADE_HD float quick_root(float a) {
 #endif
 }
 
-ENFILADE_HD std::uint32_t count_bits(std::uint32_t bits) {
+ENFILADE_HD std::uint32_t bits_in(std::uint32_t bits) {
 #if defined(__CUDA_ARCH__)
     return static_cast<std::uint32_t>(__popc(bits));
 #else
@@ -125,7 +125,7 @@ ENFILADE_HD void meet_lanes() {
 }
 
 /// The next number that nobody has taken yet: lanes that ask together ask once.
-ENFILADE_HD std::uint64_t take_next(unsigned long long* taken) {
+ENFILADE_HD std::uint64_t take_ray(unsigned long long* taken) {
 #if defined(__CUDA_ARCH__)
     const unsigned together = __activemask();
     const int leader = __ffs(static_cast<int>(together)) - 1;

@@ -45,7 +45,7 @@ struct RecordAt {
 
 ENFILADE_HD RecordAt load_record(const TriangleRecord* records, std::uint32_t k) {
     const auto* from = reinterpret_cast<const unsigned char*>(records + k);
-    const Quad a = load_quad(from), b = load_quad(from + 16), c = load_quad(from + 32);
+    const Float4 a = load_float4(from), b = load_float4(from + 16), c = load_float4(from + 32);
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}, bits_of(a.w)};
 }
 
@@ -68,7 +68,7 @@ struct InstanceAt {
 
 ENFILADE_HD InstanceAt load_instance(const BvhInstance* instances, std::uint32_t k) {
     const auto* from = reinterpret_cast<const unsigned char*>(instances + k);
-    const Quad a = load_quad(from), b = load_quad(from + 16), c = load_quad(from + 32), d = load_quad(from + 48);
+    const Float4 a = load_float4(from), b = load_float4(from + 16), c = load_float4(from + 32), d = load_float4(from + 48);
     return {{a.x, a.y, a.z}, {a.w, b.x, b.y}, {b.z, b.w, c.x}, {c.y, c.z, c.w},
             bits_of(d.x),    bits_of(d.y),    bits_of(d.z)};
 }

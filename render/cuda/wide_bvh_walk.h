@@ -119,11 +119,11 @@ private:
         nodes_.bits &= ~(1u << bit);
         if (nodes_.has_nodes()) push(nodes_, waiting, events);
         const std::uint32_t slot = (bit - 24) ^ (order_ & 7u);
-        const std::uint32_t before = count_bits(nodes_.bits & 0xffu & ~(0xffffffffu << slot));
+        const std::uint32_t before = bits_in(nodes_.bits & 0xffu & ~(0xffffffffu << slot));
         events.visited_node();
         const auto* from = reinterpret_cast<const unsigned char*>(bvh.nodes + (nodes_.first + before));
-        const Quad head = load_quad(from), links = load_quad(from + 16);
-        const Quad q[3] = {load_quad(from + 32), load_quad(from + 48), load_quad(from + 64)};
+        const Float4 head = load_float4(from), links = load_float4(from + 16);
+        const Float4 q[3] = {load_float4(from + 32), load_float4(from + 48), load_float4(from + 64)};
         const std::uint32_t met = children_met(head, links, q);
         nodes_ = {bits_of(links.x), (met & 0xff000000u) | bits_of(head.w) >> 24};
         records = {bits_of(links.y), met & 0x00ffffffu};
@@ -142,7 +142,7 @@ private:
         return {scale, is_forward ? low : high, is_forward ? high : low};
     }
 
-    ENFILADE_HD std::uint32_t children_met(const Quad& head, const Quad& links, const Quad* q) const {
+    ENFILADE_HD std::uint32_t children_met(const Float4& head, const Float4& links, const Float4* q) const {
         const std::uint32_t exponents = bits_of(head.w);
         const Vec3f low = ray_.origin_low(), high = ray_.origin_high();
         const bool fx = (order_ & 1u) != 0, fy = (order_ & 2u) != 0, fz = (order_ & 4u) != 0;
