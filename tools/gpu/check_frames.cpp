@@ -4,13 +4,12 @@
 #include <map>
 #include <memory>
 
-#include "accel/lights/light_trees.h"
 #include "render/trace.h"
-#include "tools/gpu/exposure.h"
 #include "tools/gpu/frame_ways.h"
 #include "tools/gpu/inside_tracers.h"
 #include "tools/gpu/own_colours.h"
 #include "tools/gpu/picture_difference.h"
+#include "tools/gpu/prepared_scene.h"
 
 namespace enfilade::tools::gpu {
 
@@ -59,14 +58,8 @@ Agreement judged(const PictureDifference& all, const FrameTask& task, const Fram
 std::vector<Agreement> check_frames(render::cuda::Device& device, const TriedScene& scene, const CheckOptions& options,
                                     const accel::Executor& executor) {
     const OwnColours coloured(scene.view());
-    FrameScene shared;
-    shared.scene = coloured.view();
-    accel::LightTrees trees;
-    if (scene.has_lamps()) {
-        trees = build_light_trees(shared.scene, {}, executor);
-        shared.trees = trees.view();
-        shared.exposure = picture_exposure(scene, shared.trees, executor);
-    }
+    const PreparedScene prepared(scene, coloured.view(), executor);
+    const FrameScene& shared = prepared.frames();
     const InsideTracers inside(shared.scene, executor);
     const std::vector<TriedView> views(
         scene.views.begin(),
@@ -74,7 +67,7 @@ std::vector<Agreement> check_frames(render::cuda::Device& device, const TriedSce
 
     std::vector<Agreement> rows;
     for (const FrameTask& task : frame_tasks()) {
-        if ((task.lamps && !scene.has_lamps()) || (task.with_objects && !scene.has_objects())) continue;
+        if (!prepared.has(task)) continue;
         std::map<render::ObjectAccelKind, std::vector<render::Framebuffer>> expected;
         for (const FrameWay& way : frame_ways()) {
             const std::unique_ptr<FrameMaker> maker = way.open(device, shared, task);

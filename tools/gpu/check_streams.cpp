@@ -188,7 +188,7 @@ std::vector<Agreement> check_streams(render::cuda::Device& device, const TriedSc
         check.check(primary, rows);
         const RayBatch diffuse = diffuse_rays(scene, primary, objects, executor);
         check.check(diffuse, rows);
-        check.check(shuffled(diffuse, 3), rows);
+        check.check(shuffled(diffuse, 3, executor), rows);
         check.check(trying_rays(view, options.rays / 4), rows);
         if (lists) check.check(shadow_segments(scene, primary, lists->view(), objects, options.rays, executor), rows);
     }

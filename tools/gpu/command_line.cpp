@@ -1,11 +1,13 @@
 #include "tools/gpu/command_line.h"
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 
 #include "base/error.h"
 #include "render/cuda/device.h"
 #include "render/executor.h"
+#include "tools/gpu/bench.h"
 #include "tools/gpu/check_frames.h"
 #include "tools/gpu/check_streams.h"
 #include "tools/gpu/markdown.h"
@@ -20,11 +22,14 @@ constexpr const char* usage =
     "\n"
     "  enfilade_gpu card                  says which card there is\n"
     "  enfilade_gpu check SCENE.enf ...   compares every variant with the scalar tracer\n"
+    "  enfilade_gpu bench SCENE.enf ...   measures every variant and what it is compared with\n"
     "\n"
     "  --on card|host   where kernels run: a card, or this machine's cores, which run the same functions (card)\n"
     "  --device N       which card, counted from 0 (0)\n"
     "  --side N         pixels a side of compared pictures (1024; on the host 64)\n"
     "  --views N        views of each scene that are compared, at most (2)\n"
+    "  --quick          bench: fewer rounds and smaller batches, for a first look\n"
+    "  --rays N         bench: rays of a batch (64 million, fewer where the card's memory is small)\n"
     "  --help           says this\n"
     "\n"
     "Reports go to standard output as Markdown, progress to standard error. Ends with 0 when all is well, 1 when\n"
@@ -37,6 +42,8 @@ struct Arguments {
     int device = 0;
     int side = 0;  ///< 0: what suits the device
     int views = 2;
+    bool is_quick = false;
+    int rays = 0;  ///< 0: what suits the device
 };
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -70,6 +77,10 @@ Arguments parsed(const std::vector<std::string>& words) {
             arguments.side = number(word, value(), 1, 16384);
         } else if (word == "--views") {
             arguments.views = number(word, value(), 1, 10000);
+        } else if (word == "--rays") {
+            arguments.rays = number(word, value(), 32, 1 << 30);
+        } else if (word == "--quick") {
+            arguments.is_quick = true;
         } else if (word.starts_with("-")) {
             refuse("There is no " + word + ".");
         } else if (arguments.command.empty()) {
@@ -128,6 +139,51 @@ int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     return faults.empty() ? 0 : 1;
 }
 
+std::vector<TriedScene> opened_scenes(const Arguments& arguments) {
+    if (arguments.scenes.empty()) refuse("Name the scenes that are to be measured.");
+    std::vector<TriedScene> scenes;
+    for (const std::filesystem::path& file : arguments.scenes) scenes.push_back(open_tried_scene(file));
+    return scenes;
+}
+
+BenchOptions bench_options(const Arguments& arguments, const render::cuda::Device& device) {
+    BenchOptions options;
+    if (!device.is_card()) {
+        options.rounds = 1;
+        options.side = options.large_side = 16;
+        options.rays = 256;
+    } else {
+        for (const render::cuda::Card& card : render::cuda::cards())
+            if (card.number == arguments.device)
+                options.rays = std::min(options.rays, card.memory_bytes / 256);  // with answers, and room to sort
+    }
+    if (arguments.is_quick && device.is_card()) {
+        options.rounds = 3;
+        options.rays = std::min<std::size_t>(options.rays, 8u << 20);
+        options.large_side = 4096;
+    }
+    if (arguments.side != 0) options.side = arguments.side;
+    if (arguments.rays != 0) options.rays = static_cast<std::size_t>(arguments.rays);
+    return options;
+}
+
+int run_bench(const Arguments& arguments, std::ostream& out, std::ostream& log) {
+    const std::unique_ptr<accel::Executor> executor = render::make_executor();
+    const std::unique_ptr<render::cuda::Device> device = opened(arguments, *executor);
+    const BenchOptions options = bench_options(arguments, *device);
+    const std::vector<TriedScene> scenes = opened_scenes(arguments);
+    out << "# Measured on " << device->name() << "\n\n";
+    if (device->is_card()) run_card(arguments, out);
+    else out << "These cores are no card: everything was run once, and nothing was measured.\n";
+    out << "\n";
+    Report report(out, log);
+    const Limits limits = bench_limits(*device, options, report);
+    bench_frames(*device, scenes, limits, options, *executor, report);
+    bench_batches(*device, scenes, limits, options, *executor, report);
+    report.write_goals();
+    return 0;
+}
+
 }  // namespace
 
 int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& log) {
@@ -139,7 +195,8 @@ int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& 
     const Arguments arguments = parsed(words);
     if (arguments.command == "card") return run_card(arguments, out);
     if (arguments.command == "check") return run_check(arguments, out, log);
-    if (arguments.command.empty()) refuse("Say what to do: card or check.");
+    if (arguments.command == "bench") return run_bench(arguments, out, log);
+    if (arguments.command.empty()) refuse("Say what to do: card, check or bench.");
     refuse("There is no command \"" + arguments.command + "\".");
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "plans/random.h"
 
@@ -90,6 +89,37 @@ Vec3f cosine_direction(Vec3f normal, plans::Random& random) {
     }
 }
 
+/// A permutation of [0, count) whose every entry is computed alone: a Feistel network over the next power of four,
+/// walked on until it comes to a number below `count`.
+class RandomOrder {
+public:
+    RandomOrder(std::size_t count, std::uint64_t seed) : count_(count), seed_(seed) {
+        while ((std::uint64_t{1} << (2 * half_)) < count) ++half_;
+    }
+    [[nodiscard]] std::size_t place_of(std::size_t i) const {
+        std::uint64_t place = i;
+        do {
+            place = mixed(place);
+        } while (place >= count_);
+        return static_cast<std::size_t>(place);
+    }
+
+private:
+    [[nodiscard]] std::uint64_t mixed(std::uint64_t number) const {
+        const std::uint64_t mask = (std::uint64_t{1} << half_) - 1;
+        std::uint64_t left = number >> half_, right = number & mask;
+        for (std::uint64_t round = 0; round < 4; ++round) {
+            const std::uint64_t turned = left ^ (plans::Random{seed_, round, right}.next() & mask);
+            left = right;
+            right = turned;
+        }
+        return left << half_ | right;
+    }
+
+    std::uint64_t count_, seed_;
+    unsigned half_ = 1;
+};
+
 }  // namespace
 
 RayBatch::RayBatch(std::string name_, std::size_t count) : name(std::move(name_)), cell(count) {
@@ -142,18 +172,16 @@ RayBatch diffuse_rays(const TriedScene& scene, const RayBatch& primary, const re
     return rays;
 }
 
-RayBatch shuffled(const RayBatch& rays, std::uint64_t seed) {
-    std::vector<std::uint32_t> order(rays.size());
-    std::iota(order.begin(), order.end(), 0u);
-    plans::Random random{seed};
-    for (std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+RayBatch shuffled(const RayBatch& rays, std::uint64_t seed, const accel::Executor& executor) {
+    const RandomOrder order(rays.size(), seed);
     RayBatch mixed(rays.name + ", shuffled", rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const std::size_t from = order[i];
-        mixed.set(i, {rays.origin[0][from], rays.origin[1][from], rays.origin[2][from]},
-                  {rays.direction[0][from], rays.direction[1][from], rays.direction[2][from]}, rays.cell[from]);
-    }
+    accel::parallel_for(executor, rays.size(), piece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t from = order.place_of(i);
+            mixed.set(i, {rays.origin[0][from], rays.origin[1][from], rays.origin[2][from]},
+                      {rays.direction[0][from], rays.direction[1][from], rays.direction[2][from]}, rays.cell[from]);
+        }
+    });
     return mixed;
 }
 

@@ -46,8 +46,8 @@ struct SegmentBatch {
 [[nodiscard]] RayBatch diffuse_rays(const TriedScene& scene, const RayBatch& primary,
                                     const render::ObjectTracer* objects, const accel::Executor& executor);
 
-/// The same rays in random order.
-[[nodiscard]] RayBatch shuffled(const RayBatch& rays, std::uint64_t seed);
+/// The same rays in random order. \pre at most 2^32
+[[nodiscard]] RayBatch shuffled(const RayBatch& rays, std::uint64_t seed, const accel::Executor& executor);
 
 /// From where primary rays met something, to the lamps that the place's cell may see, 32 places to one lamp and then to
 /// the next; at most `count`. trees: of the scene

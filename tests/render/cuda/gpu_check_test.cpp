@@ -1,6 +1,7 @@
 // The program that judges a card, on this machine's cores.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -15,6 +16,7 @@
 #include "tools/gpu/markdown.h"
 #include "tools/gpu/own_colours.h"
 #include "tools/gpu/picture_difference.h"
+#include "tools/gpu/ray_batch.h"
 #include "tools/gpu/tried_scene.h"
 
 namespace enfilade::tools::gpu {
@@ -50,6 +52,23 @@ TEST_F(GpuCheck, FindsTheHostsAnswersRight) {
     EXPECT_NE(said.out.find("| office | Lambert"), std::string::npos) << said.out;
     EXPECT_NE(said.out.find("All answers are right."), std::string::npos);
     EXPECT_EQ(said.out.find("WRONG"), std::string::npos);
+}
+
+TEST_F(GpuCheck, JudgesLampsAndShadowRays) {
+    write_views("lamps 5 hanging\n");
+    const Said said = run_with({"check", "--on", "host", "--side", "24", "--views", "1", scene_file().string()});
+    EXPECT_EQ(said.code, 0) << said.out;
+    EXPECT_NE(said.out.find("shadow rays"), std::string::npos) << said.out;
+}
+
+TEST_F(GpuCheck, MeasuresNothingOnTheHost) {
+    write_views("lamps 5 hanging\n");
+    const Said said = run_with({"bench", "--on", "host", scene_file().string()});
+    EXPECT_EQ(said.code, 0);
+    for (const char* title : {"## Limits", "## Frames of", "## Pictures as batches", "## Streams", "## Goals"})
+        EXPECT_NE(said.out.find(title), std::string::npos) << title;
+    EXPECT_NE(said.out.find("nothing was measured"), std::string::npos);
+    EXPECT_EQ(said.out.find("| met"), std::string::npos);
 }
 
 TEST_F(GpuCheck, ReadsViewsAndLampsBesideTheScene) {
@@ -137,6 +156,16 @@ TEST_F(PictureDifferences, TellRoundingEdgesLeaksAndFaultsApart) {
     EXPECT_EQ(found.leaks, 1u);
     EXPECT_EQ(found.unexplained, 1u);
     EXPECT_NE(found.first.find("(0, 1)"), std::string::npos) << found.first;
+}
+
+TEST(RandomOrders, HaveEachRayOnce) {
+    const accel::SerialExecutor one;
+    RayBatch rays("some", 1000);
+    for (std::size_t i = 0; i < rays.size(); ++i) rays.set(i, {static_cast<float>(i), 0, 0}, {1, 0, 0}, {});
+    std::vector<float> places = shuffled(rays, 3, one).origin[0];
+    EXPECT_NE(places, rays.origin[0]);
+    std::sort(places.begin(), places.end());
+    EXPECT_EQ(places, rays.origin[0]);
 }
 
 TEST(MarkdownTables, HaveColumnsAsWideAsTheirCells) {
