@@ -28,7 +28,7 @@ struct PacketCounts : NoEvents {
     std::uint64_t fill_rounds = 0;    ///< times that a warp's lanes wrote up to four pixels each
     std::uint64_t single_pixels = 0;  ///< walked by themselves
     std::uint64_t pixel_rounds = 0;   ///< times that a warp's lanes walked up to 32 of these
-    std::uint64_t from_start = 0;     ///< of these: walked again from the eye, for rounding had led them astray
+    std::uint64_t from_start = 0;     ///< of these: walked again from the eye, being rare cases
     std::uint64_t cells = 0;          ///< entered by corner rays and single ones
 
     ENFILADE_HD void entered_cell(std::uint32_t) { ++cells; }

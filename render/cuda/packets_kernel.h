@@ -47,7 +47,7 @@ enum class TileEnd : std::uint32_t { Absent, Walking, Filled, Parted };
 /// The ray through a corner of a tile, where it is: a lane's own.
 struct CornerRay {
     Ray<float> ray;
-    std::uint32_t cell, entry, entry_next;
+    std::uint32_t cell;
     bool is_mirrored;
 };
 
@@ -142,7 +142,7 @@ private:
         filled = full_groups(warp_.ballot(is));
         for (const int lane : warp_.lanes()) {
             is[lane] = ends[lane] == TileEnd::Parted || ends[lane] == TileEnd::Walking;
-            if (is[lane] && (lane & 3) == 0) keep(corners[lane], memory_.tiles[lane >> 2]);
+            if (is[lane] && (lane & 3) == 0) memory_.tiles[lane >> 2].cell = corners[lane].cell;
         }
         parted = full_groups(warp_.ballot(is));
     }
@@ -151,13 +151,7 @@ private:
         const int right = tile.x + side < view_.width ? tile.x + side : view_.width;
         const int below = tile.y + side < view_.height ? tile.y + side : view_.height;
         return {ray_of(view_, tile, (corner & 1) != 0 ? right - 1 : tile.x, (corner & 2) != 0 ? below - 1 : tile.y),
-                tile.cell, tile.entry, tile.entry_next, tile.is_mirrored()};
-    }
-
-    static ENFILADE_HD void keep(const CornerRay& corner, Bundle& tile) {
-        tile.cell = corner.cell;
-        tile.entry = corner.entry;
-        tile.entry_next = corner.entry_next;
+                tile.cell, tile.is_mirrored()};
     }
 
     /// All that walk leave their cells; tiles whose corners do so by one face go on through it, or end there.
@@ -174,8 +168,7 @@ private:
             const CornerRay& c = corners[lane];
             events_.entered_cell(view_.scene.cells[c.cell].section_count);
             WalkEnd<float>& end = exits[lane];
-            leave_cell(view_.scene, c.ray, c.cell, c.entry, c.entry_next, true, NoLimit{}, events_, end);
-            if (!ends_behind(c.ray, end))
+            if (leave_plainly(view_.scene, c.ray, c.cell, NoLimit{}, end) && !ends_behind(c.ray, end))
                 keys[lane] = end.exit == Exit::Side ? end.face : end.exit == Exit::Floor ? by_floor : by_ceiling;
         }
         const PerLane<std::uint32_t> keys_beside = warp_.gathered(keys, beside),
@@ -197,13 +190,10 @@ private:
         const bool is_first = (lane & 3) == 0;
         if (exit.target.is_portal()) {
             if (is_first && exit.target.is_glass()) pass_glass(view_, exit, tile, events_);
-            corner.entry = exit.exit == Exit::Side ? exit.section : no_section;
-            corner.entry_next = exit.next_section;
             corner.cell = static_cast<std::uint32_t>(exit.target.neighbour());
         } else if (meets_mirror(view_, exit, corner.is_mirrored)) {
             if (is_first) reflect(view_, exit, tile);
             corner.ray = mirrored(corner.ray, view_.scene.cells[corner.cell].z_floor);
-            corner.entry = corner.entry_next = no_section;
             corner.is_mirrored = true;
         } else {
             if (is_first) memory_.paints[lane >> 2] = paint_of(view_, tile, exit);
@@ -252,7 +242,8 @@ private:
         }
     }
 
-    /// Pixels that rounding led astray. Looked for when all else is done: that costs the other pixels no registers.
+    /// Pixels that the lean walk left, as the scalar tracer has them. Looked for when all else is done: that costs the
+    /// other pixels no registers.
     ENFILADE_HD void draw_astray(int left, int top) {
         warp_.meet();
         const int log_across = view_.log_largest + 2, pixels = 1 << (2 * view_.log_largest + 3);
@@ -262,7 +253,7 @@ private:
                           y = top + ((first + lane) >> log_across);
                 if (x >= view_.width || y >= view_.height || *place_of(x, y) != astray) continue;
                 events_.walked_from_start();
-                *place_of(x, y) = encoded(pixel_in_double<Rooms>(view_, x, y));
+                *place_of(x, y) = encoded(pixel_from_eye(view_, rooms_, x, y));
             }
     }
 
@@ -282,7 +273,7 @@ private:
 /// A warp's rectangle.
 template <class Rooms>
 struct PacketKernel {
-    static constexpr LaunchShape shape = {128, 4};
+    static constexpr LaunchShape shape = {128, 6};
     PacketView view;
     Rooms rooms;
 

@@ -10,20 +10,12 @@ ENFILADE_HD float floor_cosine(const Ray<float>& ray) {
     return magnitude(ray.direction.z) / root(dot(ray.direction, ray.direction));
 }
 
-/// Linear light of a pixel whose ray floats led astray: walked from the eye, in double.
+/// As the scalar tracer has it, from the eye on.
 template <class Rooms>
-ENFILADE_HD_COLD Vec3f pixel_in_double(const PacketView& view, int x, int y) {
-    Bundle at = bundle_at_eye(view, x, y);
-    Ray<float> ray = ray_of(view, at, x, y);
+ENFILADE_HD_COLD Vec3f pixel_from_eye(const PacketView& view, const Rooms& rooms, int x, int y) {
+    const LambertPicture picture = {&view.scene, &view.camera, &view.look, view.start_cell, view.mirror_floor};
     NoEvents none;
-    const WalkEnd<float> seen = walk_in_double(view.scene, ray, at.cell, NoLimit{}, at.tint, none);
-    if (!meets_mirror(view, seen, false))
-        return at.tint * lambert_colour<Rooms>(view.scene, view.look, ray, Sight<float>{seen, {}});
-    reflect(view, seen, at);
-    const Vec3f floor = floor_cosine(ray) * at.floor;
-    ray = mirrored(ray, view.scene.cells[seen.cell].z_floor);
-    const WalkEnd<float> in_mirror = walk_in_double(view.scene, ray, seen.cell, NoLimit{}, at.tint, none);
-    return floor + at.tint * lambert_colour<Rooms>(view.scene, view.look, ray, Sight<float>{in_mirror, {}});
+    return lambert_pixel<float>(picture, rooms, x, y, none);
 }
 
 /// Linear light of a pixel of a bundle. False where rounding leads its ray astray: then it is to be walked from the
@@ -35,11 +27,9 @@ ENFILADE_HD bool pixel_from(const PacketView& view, Bundle at, int x, int y, Eve
     for (std::uint64_t steps = view.scene.cells.count + 16; steps > 0; --steps) {
         events.entered_cell(view.scene.cells[at.cell].section_count);
         Sight<float> sight = {};
-        leave_cell(view.scene, ray, at.cell, at.entry, at.entry_next, true, NoLimit{}, events, sight.end);
+        if (!leave_plainly(view.scene, ray, at.cell, NoLimit{}, sight.end)) return false;
         if (sight.end.target.is_portal()) {
             if (sight.end.target.is_glass()) pass_glass(view, sight.end, at, events);
-            at.entry = sight.end.exit == Exit::Side ? sight.end.section : no_section;
-            at.entry_next = sight.end.next_section;
             at.cell = static_cast<std::uint32_t>(sight.end.target.neighbour());
         } else if (ends_behind(ray, sight.end)) {
             return false;
@@ -47,7 +37,6 @@ ENFILADE_HD bool pixel_from(const PacketView& view, Bundle at, int x, int y, Eve
             reflect(view, sight.end, at);
             floor = floor_cosine(ray) * at.floor;
             ray = mirrored(ray, view.scene.cells[at.cell].z_floor);
-            at.entry = at.entry_next = no_section;
         } else {
             light = floor + at.tint * lambert_colour<Rooms>(view.scene, view.look, ray, sight);
             return true;

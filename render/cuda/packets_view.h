@@ -6,6 +6,7 @@
 #include "render/camera.h"
 #include "render/cuda/warp.h"
 #include "render/lambert.h"
+#include "render/lean_walk.h"
 
 namespace enfilade::render::cuda {
 
@@ -41,16 +42,15 @@ struct PacketView {
 struct alignas(16) Bundle {
     int x, y;  ///< of the tile's first pixel
     std::uint32_t cell;
-    std::uint32_t entry, entry_next;  ///< the section by which they came in
-    std::uint32_t floor_cell;         ///< whose floor has mirrored them, or no_cell
-    Vec3f tint;                       ///< what is left of light on its way to the eye
-    Vec3f floor;                      ///< light of the floor that has mirrored them, times its cosine
+    std::uint32_t floor_cell;  ///< whose floor has mirrored them, or no_cell
+    Vec3f tint;                ///< what is left of light on its way to the eye
+    Vec3f floor;               ///< light of the floor that has mirrored them, times its cosine
 
     [[nodiscard]] ENFILADE_HD bool is_mirrored() const { return floor_cell != no_cell; }
 };
 
 ENFILADE_HD Bundle bundle_at_eye(const PacketView& view, int x, int y) {
-    return {x, y, view.start_cell, no_section, no_section, no_cell, {1, 1, 1}, {0, 0, 0}};
+    return {x, y, view.start_cell, no_cell, {1, 1, 1}, {0, 0, 0}};
 }
 
 /// The camera's ray through a pixel, as a bundle's rays are where it is.
