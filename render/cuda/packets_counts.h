@@ -13,7 +13,7 @@ struct NoPacketEvents : NoEvents {
     ENFILADE_HD void stepped() {}
     ENFILADE_HD void split(int) {}
     ENFILADE_HD void filled(std::uint64_t) {}
-    ENFILADE_HD void filled_round() {}
+    ENFILADE_HD void filled_tiles(int) {}
     ENFILADE_HD void walked_pixels(int) {}
     ENFILADE_HD void walked_from_start() {}
 };
@@ -39,7 +39,7 @@ struct PacketCounts : NoEvents {
     ENFILADE_HD void stepped() { ++corner_steps; }
     ENFILADE_HD void split(int tiles_) { splits += static_cast<std::uint64_t>(tiles_); }
     ENFILADE_HD void filled(std::uint64_t pixels) { filled_pixels += pixels; }
-    ENFILADE_HD void filled_round() { ++fill_rounds; }
+    ENFILADE_HD void filled_tiles(int rounds) { fill_rounds += static_cast<std::uint64_t>(rounds); }
     ENFILADE_HD void walked_pixels(int pixels) {
         ++pixel_rounds;
         single_pixels += static_cast<std::uint64_t>(pixels);

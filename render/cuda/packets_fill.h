@@ -97,36 +97,34 @@ ENFILADE_HD Paint paint_of(const PacketView& view, const Bundle& bundle, const W
     return paint;
 }
 
-/// What a row of the image gives all of its pixels.
-struct PaintRow {
-    float squared, squared_by_x;  ///< d . d = squared + x (squared_by_x + x by_xx)
-    float facing;                 ///< at x = 0
+/// d . d of a pixel's direction, and its cosine times the length, over the rows of one column.
+struct Column {
+    float squared, squared_by_y;  ///< d . d = squared + y (squared_by_y + y by_yy)
+    float facing;                 ///< at y = 0
 
-    ENFILADE_HD PaintRow(const PacketView& view, const Paint& paint, int row) {
-        const float y = static_cast<float>(row) + 0.5f;
-        squared = fused(y, fused(y, view.lengths.by_yy, view.lengths.by_y), view.lengths.of_corner);
-        squared_by_x = fused(y, view.lengths.by_xy, view.lengths.by_x);
-        facing = fused(y, paint.by_y, paint.at_corner);
-    }
-    ENFILADE_HD float squared_at(const PacketView& view, float x) const {
-        return fused(x, fused(x, view.lengths.by_xx, squared_by_x), squared);
+    ENFILADE_HD Column(const PacketView& view, const Paint& paint, float x)
+        : squared(fused(x, fused(x, view.lengths.by_xx, view.lengths.by_x), view.lengths.of_corner)),
+          squared_by_y(fused(x, view.lengths.by_xy, view.lengths.by_y)),
+          facing(fused(x, paint.by_x, paint.at_corner)) {}
+    [[nodiscard]] ENFILADE_HD float squared_at(const PacketView& view, float y) const {
+        return fused(y, fused(y, view.lengths.by_yy, squared_by_y), squared);
     }
 };
 
 /// A pixel of one face.
-ENFILADE_HD std::uint32_t face_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x) {
-    const float facing = fused(x, paint.by_x, row.facing);
-    const float bright = quick_root(saturated(facing * quick_inverse_root(row.squared_at(view, x))));
+ENFILADE_HD std::uint32_t face_pixel(const PacketView& view, const Paint& paint, const Column& column, float y) {
+    const float facing = fused(y, paint.by_y, column.facing);
+    const float bright = quick_root(saturated(facing * quick_inverse_root(column.squared_at(view, y))));
     return packed(fused(bright, paint.r, rounds_to_integer), fused(bright, paint.g, rounds_to_integer),
                   fused(bright, paint.b, rounds_below_alpha));
 }
 
 /// A pixel of a floor that mirrors, if any, and of what is seen in it.
-ENFILADE_HD std::uint32_t layered_pixel(const PacketView& view, const Paint& paint, const PaintRow& row, float x,
-                                        float y) {
-    const float inverse = 1.0f / root(row.squared_at(view, x));
+ENFILADE_HD std::uint32_t layered_pixel(const PacketView& view, const Paint& paint, float x, float y) {
+    const Column column(view, paint, x);
+    const float inverse = 1.0f / root(column.squared_at(view, y));
     const float down = -fused(x, view.camera.du.z, fused(y, view.camera.dv.z, view.camera.corner.z)) * inverse;
-    const float along = fused(x, paint.by_x, row.facing) * inverse;
+    const float along = fused(y, paint.by_y, column.facing) * inverse;
     const float clipped = along > 0 ? along : 0.0f;
     const Vec3f scale = {paint.r, paint.g, paint.b};
     Vec3f seen = clipped * scale;
@@ -142,10 +140,8 @@ struct alignas(16) FourPixels {
     std::uint32_t of[4];
 };
 
-/// Four pixels of a row, as far as they lie on the image.
-ENFILADE_HD void store_four(const PacketView& view, int x, int y, const FourPixels& pixels) {
-    std::uint32_t* const out =
-        view.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
+/// Four pixels of a row from x on, as far as they lie on the image.
+ENFILADE_HD void store_four(const PacketView& view, int x, std::uint32_t* out, const FourPixels& pixels) {
     if (view.stores_quads) {
         *reinterpret_cast<FourPixels*>(out) = pixels;
         return;
@@ -154,18 +150,28 @@ ENFILADE_HD void store_four(const PacketView& view, int x, int y, const FourPixe
         if (x + i < view.width) out[i] = pixels.of[i];
 }
 
-/// Four pixels of a tile.
-ENFILADE_HD void fill_four(const PacketView& view, const Paint& paint, int x, int y) {
-    const PaintRow row(view, paint, y);
+/// Columns x to x + 3 of a tile: every `step`-th row from y on, up to `end`.
+ENFILADE_HD void fill_columns(const PacketView& view, const Paint& paint, int x, int y, int step, int end) {
+    std::uint32_t* out = pixel_at(view, x, y);
+    const std::size_t rows = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(step);
     const float first = static_cast<float>(x) + 0.5f;
-    FourPixels pixels;
     if (paint.kind == PaintKind::Face) {
-        for (int i = 0; i < 4; ++i) pixels.of[i] = face_pixel(view, paint, row, first + static_cast<float>(i));
+        const Column columns[4] = {
+            {view, paint, first}, {view, paint, first + 1}, {view, paint, first + 2}, {view, paint, first + 3}};
+        for (; y < end; y += step, out += rows) {
+            FourPixels pixels;
+            for (int i = 0; i < 4; ++i)
+                pixels.of[i] = face_pixel(view, paint, columns[i], static_cast<float>(y) + 0.5f);
+            store_four(view, x, out, pixels);
+        }
     } else {
-        for (int i = 0; i < 4; ++i)
-            pixels.of[i] = layered_pixel(view, paint, row, first + static_cast<float>(i), static_cast<float>(y) + 0.5f);
+        for (; y < end; y += step, out += rows) {
+            FourPixels pixels;
+            for (int i = 0; i < 4; ++i)
+                pixels.of[i] = layered_pixel(view, paint, first + static_cast<float>(i), static_cast<float>(y) + 0.5f);
+            store_four(view, x, out, pixels);
+        }
     }
-    store_four(view, x, y, pixels);
 }
 
 }  // namespace enfilade::render::cuda

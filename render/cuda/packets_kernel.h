@@ -201,20 +201,25 @@ private:
         }
     }
 
-    /// All lanes fill all tiles, one after the other.
+    /// All lanes fill all tiles: four columns each, of as many tiles at once as they have lanes for.
     ENFILADE_HD void fill_tiles(int tiles, int log_side) {
-        const int log_quads = 2 * log_side - 2, log_across = log_side - 2;
-        for (int first = 0; first < tiles << log_quads; first += warp_size) {
-            events_.filled_round();
+        const int log_across = log_side - 2;
+        const int log_lanes = log_across + log_side < 5 ? log_across + log_side : 5;  // of a tile
+        const int step = 1 << (log_lanes - log_across);                               // of rows
+        for (int first = 0; first < tiles; first += warp_size >> log_lanes) {
+            events_.filled_tiles(1 << (log_side - log_lanes + log_across));
             for (const int lane : warp_.lanes()) {
-                const int quad = first + lane;
-                if (quad >= tiles << log_quads) continue;
-                const Paint& paint = memory_.paints[memory_.filled[quad >> log_quads]];
-                const int x = static_cast<int>(paint.place & 0xffffu) + ((quad & ((1 << log_across) - 1)) << 2);
-                const int y = static_cast<int>(paint.place >> 16) + (quad >> log_across & ((1 << log_side) - 1));
-                if (x >= view_.width || y >= view_.height) continue;
-                fill_four(view_, paint, x, y);
-                events_.filled(static_cast<std::uint64_t>(view_.width - x < 4 ? view_.width - x : 4));
+                const int number = first + (lane >> log_lanes), within = lane & ((1 << log_lanes) - 1);
+                if (number >= tiles) continue;
+                const Paint& paint = memory_.paints[memory_.filled[number]];
+                const int left = static_cast<int>(paint.place & 0xffffu), top = static_cast<int>(paint.place >> 16);
+                const int x = left + ((within & ((1 << log_across) - 1)) << 2);
+                if (x >= view_.width) continue;
+                const int end = top + (1 << log_side) < view_.height ? top + (1 << log_side) : view_.height;
+                const int y = top + (within >> log_across);
+                fill_columns(view_, paint, x, y, step, end);
+                const int columns = view_.width - x < 4 ? view_.width - x : 4;
+                if (y < end) events_.filled(static_cast<std::uint64_t>(columns * ((end - y + step - 1) / step)));
             }
         }
     }
@@ -235,7 +240,7 @@ private:
                 ++drawn;
                 Vec3f light;
                 is_astray[lane] = !pixel_from<Rooms>(view_, tile, x, y, events_, light);
-                *place_of(x, y) = is_astray[lane] ? astray : encoded(light);
+                *pixel_at(view_, x, y) = is_astray[lane] ? astray : encoded(light);
             }
             are_astray_ |= warp_.ballot(is_astray) != 0;
             events_.walked_pixels(drawn);
@@ -251,15 +256,10 @@ private:
             for (const int lane : warp_.lanes()) {
                 const int x = left + ((first + lane) & ((1 << log_across) - 1)),
                           y = top + ((first + lane) >> log_across);
-                if (x >= view_.width || y >= view_.height || *place_of(x, y) != astray) continue;
+                if (x >= view_.width || y >= view_.height || *pixel_at(view_, x, y) != astray) continue;
                 events_.walked_from_start();
-                *place_of(x, y) = encoded(pixel_from_eye(view_, rooms_, x, y));
+                *pixel_at(view_, x, y) = encoded(pixel_from_eye(view_, rooms_, x, y));
             }
-    }
-
-    [[nodiscard]] ENFILADE_HD std::uint32_t* place_of(int x, int y) const {
-        return view_.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
-               static_cast<std::size_t>(x);
     }
 
     const PacketView& view_;

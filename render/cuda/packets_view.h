@@ -38,6 +38,10 @@ struct PacketView {
     static constexpr int most_halvings = 4;                 ///< from the largest tiles to the smallest
 };
 
+ENFILADE_HD std::uint32_t* pixel_at(const PacketView& view, int x, int y) {
+    return view.rgba + static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
+}
+
 /// What the rays of a tile have in common where they are: the numbers of any one of them.
 struct alignas(16) Bundle {
     int x, y;  ///< of the tile's first pixel
