@@ -210,15 +210,23 @@ ENFILADE_HD bool meets_object(const accel::SceneView& scene, const Inside& insid
            !(scene.has_looks() && is_only_glass(scene, inside, id, asked));
 }
 
+/// The objects of a cell: places in `cell_objects`.
+struct ObjectList {
+    std::uint32_t first, end;
+};
+ENFILADE_HD ObjectList objects_of(const accel::SceneView& scene, std::uint32_t cell) {
+    return {scene.cell_object_offsets[cell], scene.cell_object_offsets[cell + 1]};
+}
+
 /// Asks the objects of a cell, by ascending id, for the nearest triangle of the ray's part [near, far]; of equally near
 /// ones that of the first object stands. skipped: an object that is not asked, or no_object
-template <ObjectsAsked asked_for, class Inside, class T>
-ENFILADE_HD bool meets_objects(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
-                               const SlabRay& slabs, std::uint32_t cell, float near, float far, ObjectHit<T>& hit,
+template <ObjectsAsked asked_for, class Scene, class Inside, class T>
+ENFILADE_HD bool meets_objects(const Scene& scene, const Inside& inside, const Ray<T>& ray, const SlabRay& slabs,
+                               std::uint32_t cell, float near, float far, ObjectHit<T>& hit,
                                std::uint32_t skipped = no_object) {
     bool is_hit = false;
-    const std::uint32_t end = scene.cell_object_offsets[cell + 1];
-    for (std::uint32_t k = scene.cell_object_offsets[cell]; k < end; ++k) {
+    const ObjectList list = objects_of(scene, cell);
+    for (std::uint32_t k = list.first; k < list.end; ++k) {
         const auto id = static_cast<std::uint32_t>(scene.cell_objects[k]);
         if (id == skipped) continue;
         if constexpr (asked_for == ObjectsAsked::Any) {
@@ -239,8 +247,10 @@ ENFILADE_HD bool meets_objects(const accel::SceneView& scene, const Inside& insi
     return is_hit;
 }
 
-ENFILADE_HD bool has_objects(const accel::SceneView& scene, std::uint32_t cell) {
-    return scene.cell_object_offsets[cell] != scene.cell_object_offsets[cell + 1];
+template <class Scene>
+ENFILADE_HD bool has_objects(const Scene& scene, std::uint32_t cell) {
+    const ObjectList list = objects_of(scene, cell);
+    return list.first != list.end;
 }
 
 ENFILADE_HD float stretch_start(float t, float first) {
@@ -271,16 +281,16 @@ ENFILADE_HD float objects_until(const ToPoint<T>& stop) {
 }
 
 /// As walk_in, in furnished rooms: status Object and `hit` where a triangle stops the ray.
-template <ObjectsAsked asked_for, class Inside, class T, class Stop, class Events>
-ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
-                                         std::uint32_t cell, const Stop& stop, ObjectPart part, Vec3f& throughput,
+template <ObjectsAsked asked_for, class Scene, class Inside, class T, class Stop, class Throughput, class Events>
+ENFILADE_HD WalkEnd<T> walk_furnished_in(const Scene& scene, const Inside& inside, const Ray<T>& ray,
+                                         std::uint32_t cell, const Stop& stop, ObjectPart part, Throughput& throughput,
                                          Events& events, ObjectHit<T>& hit) {
     WalkEnd<T> end;
     events.began_walk();
     const SlabRay slabs = scene_slabs(ray);
     std::uint32_t entry = no_section, entry_next = no_section;
-    const std::uint64_t turn_back = scene.cells.count + 16;
-    for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
+    const std::uint32_t turn_back = most_steps(scene);
+    for (std::uint32_t steps = 2 * turn_back; steps > 0; --steps) {
         const bool is_first = steps == 2 * turn_back;
         const bool is_furnished = has_objects(scene, cell);
         // Until the next exit is found, `end` is that by which the ray came here.
@@ -292,7 +302,7 @@ ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const In
             end.cell = cell;
             end.status = WalkStatus::Reached;
         } else {
-            events.entered_cell(scene.cells[cell].section_count);
+            events.entered_cell(walked_cell(scene, cell).section_count);
             leave_cell(scene, ray, cell, entry, entry_next, steps > turn_back, stop, events, end);
         }
         if (is_furnished) {
@@ -304,7 +314,7 @@ ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const In
         }
         if (end.status == WalkStatus::Reached || !end.target.is_portal()) return end;
         if (end.target.is_glass()) {
-            throughput = throughput * tint_of(scene, cell, end.exit, end.face);
+            tint_by_glass(scene, cell, end.exit, end.face, throughput);
             events.crossed_glass();
         }
         entry = end.exit == Exit::Side ? end.section : no_section;
@@ -317,10 +327,10 @@ ENFILADE_HD WalkEnd<T> walk_furnished_in(const accel::SceneView& scene, const In
     return end;
 }
 
-template <ObjectsAsked asked_for, class Inside, class Stop, class Events>
+template <ObjectsAsked asked_for, class Inside, class Stop, class Throughput, class Events>
 ENFILADE_HD_COLD WalkEnd<float> walk_furnished_in_double(const accel::SceneView& scene, const Inside& inside,
                                                          Ray<float> ray, std::uint32_t cell, const Stop& stop,
-                                                         ObjectPart part, Vec3f& throughput, Events& events,
+                                                         ObjectPart part, Throughput& throughput, Events& events,
                                                          ObjectHit<float>& hit) {
     const Ray<double> exact = make_ray_unchecked(vec_cast<double>(ray.origin), vec_cast<double>(ray.direction));
     ObjectHit<double> met;
@@ -332,11 +342,11 @@ ENFILADE_HD_COLD WalkEnd<float> walk_furnished_in_double(const accel::SceneView&
 
 /// Follows the ray as `walk` does, with its double fallback. `hit` is written where the status is Object; asked for
 /// any, its object alone.
-template <ObjectsAsked asked_for, class Inside, class T, class Stop, class Events>
-ENFILADE_HD WalkEnd<T> walk_asking(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
-                                   std::uint32_t cell, const Stop& stop, ObjectPart part, Vec3f& throughput,
-                                   Events& events, ObjectHit<T>& hit) {
-    const Vec3f before = throughput;
+template <ObjectsAsked asked_for, class Scene, class Inside, class T, class Stop, class Throughput, class Events>
+ENFILADE_HD WalkEnd<T> walk_asking(const Scene& scene, const Inside& inside, const Ray<T>& ray, std::uint32_t cell,
+                                   const Stop& stop, ObjectPart part, Throughput& throughput, Events& events,
+                                   ObjectHit<T>& hit) {
+    const Throughput before = throughput;
     const WalkEnd<T> end = walk_furnished_in<asked_for>(scene, inside, ray, cell, stop, part, throughput, events, hit);
     if constexpr (sizeof(T) == sizeof(float)) {
         if (ends_behind(ray, end)) [[unlikely]] {
@@ -349,10 +359,10 @@ ENFILADE_HD WalkEnd<T> walk_asking(const accel::SceneView& scene, const Inside& 
 
 /// The nearest face or triangle; glass lets the ray pass. first: the parameter from which objects count, for rays that
 /// begin before (mirror.h).
-template <class Inside, class T, class Stop, class Events>
-ENFILADE_HD WalkEnd<T> walk_furnished(const accel::SceneView& scene, const Inside& inside, const Ray<T>& ray,
-                                      std::uint32_t cell, const Stop& stop, Vec3f& throughput, Events& events,
-                                      ObjectHit<T>& hit, T first = T(0)) {
+template <class Scene, class Inside, class T, class Stop, class Throughput, class Events>
+ENFILADE_HD WalkEnd<T> walk_furnished(const Scene& scene, const Inside& inside, const Ray<T>& ray, std::uint32_t cell,
+                                      const Stop& stop, Throughput& throughput, Events& events, ObjectHit<T>& hit,
+                                      T first = T(0)) {
     const ObjectPart part = {static_cast<float>(first), objects_until(stop)};
     return walk_asking<ObjectsAsked::Nearest>(scene, inside, ray, cell, stop, part, throughput, events, hit);
 }

@@ -20,15 +20,15 @@ struct Sight {
 struct BareRooms {
     static constexpr bool are_furnished = false;
 
-    template <class T, class Stop, class Events>
-    ENFILADE_HD Sight<T> look_along(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell,
-                                    const Stop& stop, Vec3f& throughput, Events& events, T = T(0)) const {
+    template <class Scene, class T, class Stop, class Throughput, class Events>
+    ENFILADE_HD Sight<T> look_along(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                                    Throughput& throughput, Events& events, T = T(0)) const {
         return {walk(scene, ray, cell, stop, throughput, events), {}};
     }
     /// Status Object where anything is in the way.
-    template <class T, class Stop, class Events>
-    ENFILADE_HD WalkEnd<T> look_for_any(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell,
-                                        const Stop& stop, ObjectPart, Vec3f& throughput, Events& events) const {
+    template <class Scene, class T, class Stop, class Throughput, class Events>
+    ENFILADE_HD WalkEnd<T> look_for_any(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                                        ObjectPart, Throughput& throughput, Events& events) const {
         return walk(scene, ray, cell, stop, throughput, events);
     }
 };
@@ -40,16 +40,16 @@ struct RoomsWith {
     Inside objects;
 
     /// first: the parameter from which objects count
-    template <class T, class Stop, class Events>
-    ENFILADE_HD Sight<T> look_along(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell,
-                                    const Stop& stop, Vec3f& throughput, Events& events, T first = T(0)) const {
+    template <class Scene, class T, class Stop, class Throughput, class Events>
+    ENFILADE_HD Sight<T> look_along(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                                    Throughput& throughput, Events& events, T first = T(0)) const {
         Sight<T> sight;
         sight.end = walk_furnished(scene, objects, ray, cell, stop, throughput, events, sight.hit, first);
         return sight;
     }
-    template <class T, class Stop, class Events>
-    ENFILADE_HD WalkEnd<T> look_for_any(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell,
-                                        const Stop& stop, ObjectPart part, Vec3f& throughput, Events& events) const {
+    template <class Scene, class T, class Stop, class Throughput, class Events>
+    ENFILADE_HD WalkEnd<T> look_for_any(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                                        ObjectPart part, Throughput& throughput, Events& events) const {
         ObjectHit<T> hit;
         return walk_asking<ObjectsAsked::Any>(scene, objects, ray, cell, stop, part, throughput, events, hit);
     }
@@ -65,8 +65,8 @@ void among(const Job& job, const Body& body) {
 }
 
 /// The ray's parameter where it ended.
-template <class T>
-ENFILADE_HD T parameter(const accel::SceneView& scene, const Ray<T>& ray, const Sight<T>& sight) {
+template <class Scene, class T>
+ENFILADE_HD T parameter(const Scene& scene, const Ray<T>& ray, const Sight<T>& sight) {
     return sight.end.status == WalkStatus::Object ? sight.hit.t : parameter(scene, ray, sight.end);
 }
 

@@ -29,9 +29,9 @@ ENFILADE_HD bool make_segment(Vec<T> p, Vec<T> q, std::uint32_t skipped, Segment
 
 /// Whether nothing but glass lies between the ends of a segment from `cell` to `to_cell` (no_cell: not known): the walk
 /// from p reaches q's cell, or q. throughput: multiplied by the tints of the glass between.
-template <class T, class Rooms, class Events>
-ENFILADE_HD bool is_clear(const accel::SceneView& scene, const Rooms& rooms, const Segment<T>& segment,
-                          std::uint32_t cell, std::uint32_t to_cell, Vec3f& throughput, Events& events) {
+template <class Scene, class T, class Rooms, class Throughput, class Events>
+ENFILADE_HD bool is_clear(const Scene& scene, const Rooms& rooms, const Segment<T>& segment, std::uint32_t cell,
+                          std::uint32_t to_cell, Throughput& throughput, Events& events) {
     if constexpr (Rooms::are_furnished) {
         ObjectHit<T> hit;
         if (cell == to_cell)
@@ -53,9 +53,9 @@ ENFILADE_HD bool is_clear(const accel::SceneView& scene, const Rooms& rooms, con
 /// see nothing, not even themselves.
 ///
 /// throughput: multiplied by the tints of the glass between.
-template <class T, class Rooms, class Events>
-ENFILADE_HD bool sees_through(const accel::SceneView& scene, const Rooms& rooms, Vec<T> p, Vec<T> q, std::uint32_t cell,
-                              std::uint32_t to_cell, Vec3f& throughput, Events& events,
+template <class Scene, class T, class Rooms, class Throughput, class Events>
+ENFILADE_HD bool sees_through(const Scene& scene, const Rooms& rooms, Vec<T> p, Vec<T> q, std::uint32_t cell,
+                              std::uint32_t to_cell, Throughput& throughput, Events& events,
                               std::uint32_t skipped = no_object) {
     if (!is_place(vec_cast<float>(p)) || !is_place(vec_cast<float>(q))) return false;
     if (cell == to_cell && !Rooms::are_furnished) return true;
@@ -64,10 +64,10 @@ ENFILADE_HD bool sees_through(const accel::SceneView& scene, const Rooms& rooms,
     return is_clear(scene, rooms, segment, cell, to_cell, throughput, events);
 }
 
-template <class Rooms, class Events>
-ENFILADE_HD bool sees(const accel::SceneView& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
+template <class Scene, class Rooms, class Events>
+ENFILADE_HD bool sees(const Scene& scene, const Rooms& rooms, Vec3f p, Vec3f q, std::uint32_t cell,
                       std::uint32_t to_cell, Events& events) {
-    Vec3f throughput = {1, 1, 1};
+    NoThroughput throughput;
     return sees_through(scene, rooms, p, q, cell, to_cell, throughput, events);
 }
 

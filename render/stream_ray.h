@@ -51,7 +51,7 @@ ENFILADE_HD void answer_ray(const Scene& scene, const Rooms& rooms, const detail
     if (!ray_of(job, i, max_distance, ray)) return write_refusal(job, i);
     const auto cell = static_cast<std::uint32_t>(job.start[i]);
     const float metres = length(ray.direction);
-    Vec3f throughput = {1, 1, 1};
+    NoThroughput throughput;
     const Sight<float> sight =
         job.max_distance != nullptr
             ? rooms.look_along(scene, ray, cell, Limit<float>{limit_of(max_distance, metres)}, throughput, events)

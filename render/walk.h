@@ -99,11 +99,51 @@ ENFILADE_HD Crossing<T> crossing(const Ray<T>& ray, T px, T py, T p_side, T qx, 
     return {q_side * p_along - p_side * q_along, facing * (dx * dx + dy * dy), facing};
 }
 
+// What a walk reads of a scene. A scene of other records has overloads of these (cuda/packed_sections.h) and the arrays
+// of a SceneView besides.
+
+ENFILADE_HD const accel::Cell& walked_cell(const accel::SceneView& scene, std::uint32_t cell) {
+    return scene.cells[cell];
+}
+
+/// Where a section begins.
+struct LinePlace {
+    float x, y;
+};
+ENFILADE_HD LinePlace line_at(const accel::SceneView& scene, std::uint32_t section) {
+    return {scene.section_x[section], scene.section_y[section]};
+}
+
+/// Of so many lines one question is asked at most.
+ENFILADE_HD constexpr std::uint32_t most_lines(const accel::SceneView&) { return bit_sections; }
+
+/// Which of `count` lines from `first` on lie on the left of the ray, bit by bit. \pre count <= most_lines
 template <class T>
-ENFILADE_HD Crossing<T> section_crossing(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t section,
+ENFILADE_HD std::uint32_t left_lines(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
+                                     std::uint32_t count) {
+    return left_bits(ray, scene.section_x.first + first, scene.section_y.first + first, count);
+}
+
+/// A face of a section's stack.
+struct StackFace {
+    std::uint32_t face;
+    bool is_top;
+    ENFILADE_HD accel::Target target(const accel::SceneView& scene) const { return scene.side_faces[face].target; }
+};
+/// The lowest whose top is above the ray where it leaves: without division. scaled_dz: num * dz
+template <class T>
+ENFILADE_HD StackFace stack_face(const accel::SceneView& scene, std::uint32_t section, T scaled_dz, T origin_z, T den) {
+    const std::uint32_t top = scene.section_tails[section + 1].first_face - 1;
+    std::uint32_t face = scene.section_tails[section].first_face;
+    while (face < top && !(scaled_dz < (T(scene.side_faces[face].z_top) - origin_z) * den)) ++face;
+    return {face, face == top};
+}
+
+template <class Scene, class T>
+ENFILADE_HD Crossing<T> section_crossing(const Scene& scene, const Ray<T>& ray, std::uint32_t section,
                                          std::uint32_t next) {
-    const T px = scene.section_x[section], py = scene.section_y[section];
-    const T qx = scene.section_x[next], qy = scene.section_y[next];
+    const LinePlace p = line_at(scene, section), q = line_at(scene, next);
+    const T px = p.x, py = p.y, qx = q.x, qy = q.y;
     return crossing(ray, px, py, line_side(ray, px, py), qx, qy, line_side(ray, qx, qy));
 }
 
@@ -172,13 +212,11 @@ ENFILADE_HD std::uint32_t lowest_bit(std::uint32_t bits) {
 
 /// The one section that has its beginning on the right of the ray and its end on the left, counted from the cell's
 /// first; `no_section` if there is none or more than one.
-template <class T>
-ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
+template <class Scene, class T>
+ENFILADE_HD std::uint32_t only_accepting(const Scene& scene, const Ray<T>& ray, std::uint32_t first,
                                          std::uint32_t count) {
-    const float* xs = scene.section_x.first + first;
-    const float* ys = scene.section_y.first + first;
-    if (count <= bit_sections) {
-        const std::uint32_t bits = left_bits(ray, xs, ys, count);
+    if (count <= most_lines(scene)) {
+        const std::uint32_t bits = left_lines(scene, ray, first, count);
         const std::uint32_t all = ~0u >> (bit_sections - count);
         const std::uint32_t next_bits = (bits & all) >> 1 | (bits & 1u) << (count - 1);
         const std::uint32_t accepting = ~bits & next_bits;
@@ -186,9 +224,9 @@ ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ra
     }
     std::uint32_t found = no_section, found_count = 0;
     std::uint32_t first_bit = 0, bit_before = 1;  // nothing ends before the first section
-    for (std::uint32_t begin = 0; begin < count; begin += bit_sections) {
-        const std::uint32_t size = count - begin < bit_sections ? count - begin : bit_sections;
-        const std::uint32_t bits = left_bits(ray, xs + begin, ys + begin, size);
+    for (std::uint32_t begin = 0; begin < count; begin += most_lines(scene)) {
+        const std::uint32_t size = count - begin < most_lines(scene) ? count - begin : most_lines(scene);
+        const std::uint32_t bits = left_lines(scene, ray, first + begin, size);
         if (begin == 0) first_bit = bits & 1u;
         if (begin > 0 && bit_before == 0 && (bits & 1u) != 0) {
             found = begin - 1;
@@ -211,17 +249,16 @@ ENFILADE_HD std::uint32_t only_accepting(const accel::SceneView& scene, const Ra
 
 /// Step 1: the exit section, by one side test a vertical line; consecutive sections share theirs. Counted from the
 /// cell's first; `no_section` for vertical rays.
-template <class T, class Events>
-ENFILADE_HD std::uint32_t find_section(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t first,
-                                       std::uint32_t count, std::uint32_t entry, std::uint32_t entry_next,
-                                       bool take_farthest, Events& events) {
+template <class Scene, class T, class Events>
+ENFILADE_HD std::uint32_t find_section(const Scene& scene, const Ray<T>& ray, std::uint32_t first, std::uint32_t count,
+                                       std::uint32_t entry, std::uint32_t entry_next, bool take_farthest,
+                                       Events& events) {
     const std::uint32_t i = only_accepting(scene, ray, first, count);
     return i != no_section ? i : resolve_exit(scene, ray, first, count, entry, entry_next, take_farthest, events);
 }
 
-template <class T, class Stop>
-ENFILADE_HD void leave_by_level(const accel::Cell& cell, const Ray<T>& ray, Exit exit, const Stop& stop,
-                                WalkEnd<T>& end) {
+template <class Cell, class T, class Stop>
+ENFILADE_HD void leave_by_level(const Cell& cell, const Ray<T>& ray, Exit exit, const Stop& stop, WalkEnd<T>& end) {
     end.exit = exit;
     end.target = exit == Exit::Floor ? cell.floor : cell.ceiling;
     const T rise = (exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z;
@@ -231,37 +268,25 @@ ENFILADE_HD void leave_by_level(const accel::Cell& cell, const Ray<T>& ray, Exit
 /// Step 2: the face in the exit section's stack, bottom-up, without division. Equality counts as above: every level is
 /// shifted down by a vanishing amount, the same for both directions of the ray. Floors are left downwards and ceilings
 /// upwards only, whatever rounding says of a ray that starts on one of them.
-template <class T, class Stop>
-ENFILADE_HD void find_face(const accel::SceneView& scene, const Ray<T>& ray, const accel::Cell& cell, const Stop& stop,
-                           WalkEnd<T>& end) {
+template <class Scene, class Cell, class T, class Stop>
+ENFILADE_HD void find_face(const Scene& scene, const Ray<T>& ray, const Cell& cell, const Stop& stop, WalkEnd<T>& end) {
     const T dz = ray.direction.z;
     const T scaled_dz = end.num * dz;
     if (dz < T(0) && scaled_dz < (T(cell.z_floor) - ray.origin.z) * end.den)
         return leave_by_level(cell, ray, Exit::Floor, stop, end);
-    const std::uint32_t top = scene.section_tails[end.section + 1].first_face - 1;
-    std::uint32_t face = scene.section_tails[end.section].first_face;
-    while (face < top && !(scaled_dz < (T(scene.side_faces[face].z_top) - ray.origin.z) * end.den)) ++face;
-    if (dz > T(0) && face == top && !(scaled_dz < (T(cell.z_ceiling) - ray.origin.z) * end.den))
+    const auto found = stack_face(scene, end.section, scaled_dz, ray.origin.z, end.den);
+    if (dz > T(0) && found.is_top && !(scaled_dz < (T(cell.z_ceiling) - ray.origin.z) * end.den))
         return leave_by_level(cell, ray, Exit::Ceiling, stop, end);
     end.exit = Exit::Side;
-    end.face = face;
-    end.target = scene.side_faces[face].target;
+    end.face = found.face;
+    end.target = found.target(scene);
     end.status = stop.before_side(end.num, end.den) ? WalkStatus::Reached : WalkStatus::Hit;
 }
 
-/// The face by which a ray leaves a cell: section, then face.
-template <class T, class Stop, class Events>
-ENFILADE_HD void leave_cell(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, std::uint32_t entry,
-                            std::uint32_t entry_next, bool take_farthest, const Stop& stop, Events& events,
-                            WalkEnd<T>& end) {
-    const accel::Cell& c = scene.cells[cell];
-    end.cell = cell;
-    const std::uint32_t i =
-        find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, take_farthest, events);
-    if (i == no_section) {
-        end.section = end.next_section = no_section;
-        return leave_by_level(c, ray, ray.direction.z < T(0) ? Exit::Floor : Exit::Ceiling, stop, end);
-    }
+/// The face by which a ray leaves a cell, once its section is known. i: counted from the cell's first
+template <class Scene, class Cell, class T, class Stop>
+ENFILADE_HD void leave_by_section(const Scene& scene, const Ray<T>& ray, const Cell& c, std::uint32_t i,
+                                  const Stop& stop, WalkEnd<T>& end) {
     end.section = c.first_section + i;
     end.next_section = i + 1 == c.section_count ? c.first_section : c.first_section + i + 1;
     const Crossing<T> at = section_crossing(scene, ray, end.section, end.next_section);
@@ -269,6 +294,22 @@ ENFILADE_HD void leave_cell(const accel::SceneView& scene, const Ray<T>& ray, st
     end.den = at.den;
     end.facing = at.facing;
     find_face(scene, ray, c, stop, end);
+}
+
+/// The face by which a ray leaves a cell: section, then face.
+template <class Scene, class T, class Stop, class Events>
+ENFILADE_HD void leave_cell(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, std::uint32_t entry,
+                            std::uint32_t entry_next, bool take_farthest, const Stop& stop, Events& events,
+                            WalkEnd<T>& end) {
+    const auto& c = walked_cell(scene, cell);
+    end.cell = cell;
+    const std::uint32_t i =
+        find_section(scene, ray, c.first_section, c.section_count, entry, entry_next, take_farthest, events);
+    if (i == no_section) {
+        end.section = end.next_section = no_section;
+        return leave_by_level(c, ray, ray.direction.z < T(0) ? Exit::Floor : Exit::Ceiling, stop, end);
+    }
+    leave_by_section(scene, ray, c, i, stop, end);
 }
 
 /// The tint of the glass behind a face. Out of line: windows are rare.
@@ -281,22 +322,35 @@ ENFILADE_HD_COLD inline Vec3f tint_of(const accel::SceneView& scene, std::uint32
     return {tint.x, tint.y, tint.z};
 }
 
+/// For walks whose light nobody asks for.
+struct NoThroughput {};
+ENFILADE_HD void tint_by_glass(const accel::SceneView&, std::uint32_t, Exit, std::uint32_t, NoThroughput&) {}
+ENFILADE_HD void tint_by_glass(const accel::SceneView& scene, std::uint32_t cell, Exit exit, std::uint32_t face,
+                               Vec3f& throughput) {
+    throughput = throughput * tint_of(scene, cell, exit, face);
+}
+
+/// A line that enters more cells goes in a circle. Targets have 30 bits, so twice as many fit in 32.
+ENFILADE_HD std::uint32_t most_steps(const accel::SceneView& scene) {
+    return static_cast<std::uint32_t>(scene.cells.count) + 16;
+}
+
 /// Follows the ray from `cell`, which holds its origin, through portals until a source face stops it or `stop` does.
 /// Always ends: a straight line enters no convex cell twice, so more steps than cells mean that rounding leads the walk
 /// in a circle about a vertex; then it takes the nearest of several exits instead of the farthest, once as long.
-template <class T, class Stop, class Events>
-ENFILADE_HD WalkEnd<T> walk_in(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
-                               Vec3f& throughput, Events& events) {
+template <class Scene, class T, class Stop, class Throughput, class Events>
+ENFILADE_HD WalkEnd<T> walk_in(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                               Throughput& throughput, Events& events) {
     WalkEnd<T> end;
     events.began_walk();
     std::uint32_t entry = no_section, entry_next = no_section;
-    const std::uint64_t turn_back = scene.cells.count + 16;
-    for (std::uint64_t steps = 2 * turn_back; steps > 0; --steps) {
-        events.entered_cell(scene.cells[cell].section_count);
+    const std::uint32_t turn_back = most_steps(scene);
+    for (std::uint32_t steps = 2 * turn_back; steps > 0; --steps) {
+        events.entered_cell(walked_cell(scene, cell).section_count);
         leave_cell(scene, ray, cell, entry, entry_next, steps > turn_back, stop, events, end);
         if (end.status == WalkStatus::Reached || !end.target.is_portal()) return end;
         if (end.target.is_glass()) {
-            throughput = throughput * tint_of(scene, cell, end.exit, end.face);
+            tint_by_glass(scene, cell, end.exit, end.face, throughput);
             events.crossed_glass();
         }
         // Through a floor or ceiling the prism stays the same: its exit section is no entry of the next cell.
@@ -342,18 +396,18 @@ ENFILADE_HD WalkEnd<float> in_float(const WalkEnd<double>& end) {
 }
 
 /// The same line, walked in double precision.
-template <class Stop, class Events>
+template <class Stop, class Throughput, class Events>
 ENFILADE_HD_COLD WalkEnd<float> walk_in_double(const accel::SceneView& scene, Ray<float> ray, std::uint32_t cell,
-                                               const Stop& stop, Vec3f& throughput, Events& events) {
+                                               const Stop& stop, Throughput& throughput, Events& events) {
     const Ray<double> exact = make_ray_unchecked(vec_cast<double>(ray.origin), vec_cast<double>(ray.direction));
     return in_float(walk_in(scene, exact, cell, in_double(stop), throughput, events));
 }
 
 /// Follows the ray (walk_in) in its own precision, and in double where that led it out behind its origin.
-template <class T, class Stop, class Events>
-ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
-                            Vec3f& throughput, Events& events) {
-    const Vec3f before = throughput;
+template <class Scene, class T, class Stop, class Throughput, class Events>
+ENFILADE_HD WalkEnd<T> walk(const Scene& scene, const Ray<T>& ray, std::uint32_t cell, const Stop& stop,
+                            Throughput& throughput, Events& events) {
+    const Throughput before = throughput;
     const WalkEnd<T> end = walk_in(scene, ray, cell, stop, throughput, events);
     if constexpr (sizeof(T) == sizeof(float)) {
         if (ends_behind(ray, end)) [[unlikely]] {
@@ -366,13 +420,13 @@ ENFILADE_HD WalkEnd<T> walk(const accel::SceneView& scene, const Ray<T>& ray, st
 
 /// The ray's parameter where the walk ended, in units of its (scaled) direction; not negative. Computed once, at the
 /// end.
-template <class T>
-ENFILADE_HD T parameter(const accel::SceneView& scene, const Ray<T>& ray, const WalkEnd<T>& end) {
+template <class Scene, class T>
+ENFILADE_HD T parameter(const Scene& scene, const Ray<T>& ray, const WalkEnd<T>& end) {
     T t;
     if (end.exit == Exit::Side) {
         t = end.num / end.den;
     } else {
-        const accel::Cell& cell = scene.cells[end.cell];
+        const auto& cell = walked_cell(scene, end.cell);
         t = ((end.exit == Exit::Floor ? T(cell.z_floor) : T(cell.z_ceiling)) - ray.origin.z) / ray.direction.z;
     }
     return t > T(0) ? t : T(0);  // what starts on a face may meet it a rounding behind itself

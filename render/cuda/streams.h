@@ -13,6 +13,8 @@
 #include "accel/scene.h"
 #include "render/cuda/device.h"
 #include "render/cuda/device_objects.h"
+#include "render/cuda/packed_sections.h"
+#include "render/cuda/ray_order.h"
 #include "render/ray_stream.h"
 
 namespace enfilade::render::cuda {
@@ -45,17 +47,34 @@ struct DeviceSegments {
     std::uint64_t count;
 };
 
+/// How threads share the work. Answers are the same.
+enum class StreamSchedule {
+    Whole,       ///< a thread a ray, recoveries and all
+    Deferred,    ///< a thread a ray; rare cases are put on a list, and walked whole by a kernel of their own
+    Persistent,  ///< as Deferred, by warps that stay and fetch rays as their lanes fall idle (Aila and Laine 2009)
+    Compacted    ///< furnished rooms: cells and objects by kernels of their own, in rounds; bare ones: Deferred
+};
+
 struct DeviceStreamOptions {
-    std::optional<InsideKind> inside;  ///< the trees of what stands in rooms; none: rooms are walked bare
-    accel::OctreeOptions octrees;
+    std::optional<InsideKind> inside = {};  ///< the trees of what stands in rooms; none: rooms are walked bare
+    accel::OctreeOptions octrees = {};
     const accel::Executor* executor = nullptr;  ///< who builds the trees; nullptr: the calling thread
+    RayOrder order = RayOrder::AsGiven;
+    StreamSchedule schedule = StreamSchedule::Deferred;
+    /// How sections lie in the device's memory, for all schedules but Whole. In furnished rooms Points is Pairs.
+    SectionLayout layout = SectionLayout::Pairs;
+    int refill = 12;              ///< Persistent: so many idle lanes fetch rays; 1 to 32
+    bool sorts_questions = true;  ///< Compacted: those to one mesh together
+    /// Longer streams are answered part by part, so that the memory of schedules is bounded: Deferred and Persistent
+    /// need 4 bytes a ray, orders 16 and what the card's sort takes, Compacted 88.
+    std::uint32_t rays_at_once = 1u << 24;
 };
 
 /// A scene on a device, and streams of rays through it. The answers are the scalar tracer's. The device must outlive
 /// it.
 class DeviceStream {
 public:
-    /// Uploads the scene. \throws CudaError
+    /// Uploads the scene. \throws CudaError, InputError for options out of range
     DeviceStream(Device& device, const accel::SceneView& scene, const DeviceStreamOptions& options = {});
     DeviceStream(const DeviceStream&) = delete;
     DeviceStream& operator=(const DeviceStream&) = delete;
@@ -67,7 +86,7 @@ public:
     /// Asks for 1 where nothing but glass lies between the ends of a segment, else 0, as render::visible tells it.
     /// visible: [count]
     void visible(const DeviceSegments& segments, std::uint8_t* visible);
-    /// Of the scene and its trees in the device's memory.
+    /// In the device's memory: the scene, its trees, and what the streams so far have needed.
     [[nodiscard]] std::size_t bytes() const;
 
 private:
