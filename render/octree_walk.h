@@ -24,11 +24,15 @@ struct NoOctreeEvents {
 /// A ray in the lattice, mirrored along the axes where its direction is negative.
 struct LatticeRay {
     float origin[3];
-    float direction[3];       ///< none is 0: the smallest are what moves the ray by less than roundings
-    float inverse[3];         ///< of the direction
-    std::uint32_t mirror[3];  ///< a cell and this, by exclusive or, are the cell in the tree's own lattice
-    std::uint32_t octant;     ///< towards which it goes
-    int exponent;             ///< the walk's parameter is the ray's, times 2^exponent: 0 but for extreme directions
+    float direction[3];    ///< none is 0: the smallest are what moves the ray by less than roundings
+    float inverse[3];      ///< of the direction
+    std::uint32_t octant;  ///< towards which it goes
+    int exponent;          ///< the walk's parameter is the ray's, times 2^exponent: 0 but for extreme directions
+
+    /// A cell and this, by exclusive or, are the cell in the tree's own lattice.
+    [[nodiscard]] ENFILADE_HD std::uint32_t mirror(const accel::OctreeView& tree, int axis) const {
+        return (octant >> axis & 1u) != 0 ? 0 : (1u << tree.frame.depth) - 1;
+    }
 };
 
 /// Directions whose largest component (in the lattice) is less than the inverse of that, or more, are scaled.
@@ -61,7 +65,6 @@ ENFILADE_HD LatticeRay lattice_ray(const accel::OctreeView& tree, const ObjectRa
         r.origin[k] = is_mirrored ? side - origin : origin;
         r.direction[k] = larger(magnitude(direction), least);
         r.inverse[k] = 1.0f / r.direction[k];
-        r.mirror[k] = is_mirrored ? (1u << tree.frame.depth) - 1 : 0;
         r.octant |= is_mirrored ? 0 : 1u << k;
     }
     return r;
@@ -105,12 +108,17 @@ ENFILADE_HD std::uint64_t spread_bits(std::uint32_t number) {
     return (x | x << 2) & 0x1249249249249249u;
 }
 
-/// The leaf that holds a cell.
-template <class Events>
-ENFILADE_HD accel::JumpEntry leaf_at(const accel::OctreeView& tree, const LatticeRay& r, const LatticeCell& cell,
-                                     Events& events) {
-    std::uint64_t place = 0;
-    for (int k = 0; k < 3; ++k) place |= spread_bits(static_cast<std::uint32_t>(cell.at[k]) ^ r.mirror[k]) << k;
+/// The same of a number below 2^10.
+ENFILADE_HD std::uint32_t spread_ten_bits(std::uint32_t x) {
+    x = (x | x << 16) & 0x030000ffu;
+    x = (x | x << 8) & 0x0300f00fu;
+    x = (x | x << 4) & 0x030c30c3u;
+    return (x | x << 2) & 0x09249249u;
+}
+
+/// From a cell's bits interleaved, x lowest, to its leaf.
+template <class Place, class Events>
+ENFILADE_HD accel::JumpEntry leaf_at_place(const accel::OctreeView& tree, Place place, Events& events) {
     std::uint32_t shift = 3 * (tree.frame.depth - tree.jump_levels), jumps = 1;
     accel::JumpEntry entry = tree.jumps[place >> shift];
     while (!entry.is_leaf()) {
@@ -120,6 +128,21 @@ ENFILADE_HD accel::JumpEntry leaf_at(const accel::OctreeView& tree, const Lattic
     }
     events.descended(jumps);
     return entry;
+}
+
+/// The leaf that holds a cell.
+template <class Events>
+ENFILADE_HD accel::JumpEntry leaf_at(const accel::OctreeView& tree, const LatticeRay& r, const LatticeCell& cell,
+                                     Events& events) {
+    if (tree.frame.depth <= 10) {  // nearly all: half the instructions, and registers, of 64 bits
+        std::uint32_t place = 0;
+        for (int k = 0; k < 3; ++k)
+            place |= spread_ten_bits(static_cast<std::uint32_t>(cell.at[k]) ^ r.mirror(tree, k)) << k;
+        return leaf_at_place(tree, place, events);
+    }
+    std::uint64_t place = 0;
+    for (int k = 0; k < 3; ++k) place |= spread_bits(static_cast<std::uint32_t>(cell.at[k]) ^ r.mirror(tree, k)) << k;
+    return leaf_at_place(tree, place, events);
 }
 
 /// The triangle in a place of its leaf.

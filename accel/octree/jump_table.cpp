@@ -45,10 +45,12 @@ private:
 
 }  // namespace
 
-JumpTable build_jump_table(const Octree& tree) {
+JumpTable build_jump_table(const Octree& tree, std::uint32_t levels) {
     if (tree.leaves.size() > JumpEntry::most_leaves) throw std::length_error("an octree of more than 2^26 leaves");
     JumpTable table;
-    table.levels = top_levels(tree);
+    table.levels = levels == automatic_jump_levels ? top_levels(tree) : levels;
+    if (table.levels > tree.frame.depth || table.levels > 9 || (tree.frame.depth - table.levels) % 2 != 0)
+        throw std::invalid_argument("a jump table's flat part is a whole number of nodes above the deepest leaves");
     table.entries.resize(std::size_t{1} << 3 * table.levels);
     Filler(tree, table).fill(tree.root, table.levels, 0);
     return table;

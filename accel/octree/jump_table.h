@@ -26,7 +26,11 @@ struct JumpTable {
     std::uint32_t levels = 0;        ///< at the top; the tree's depth less this is even
 };
 
-/// \throws std::length_error where the tree has more than JumpEntry::most_leaves leaves
-[[nodiscard]] JumpTable build_jump_table(const Octree& tree);
+/// A table no larger than the leaves, with at most five levels at the top.
+inline constexpr std::uint32_t automatic_jump_levels = 0xffffffffu;
+
+/// levels: at the top. \throws std::length_error where the tree has more than JumpEntry::most_leaves leaves;
+/// std::invalid_argument where the tree's depth less `levels` is not even, or negative, or `levels` above 9
+[[nodiscard]] JumpTable build_jump_table(const Octree& tree, std::uint32_t levels = automatic_jump_levels);
 
 }  // namespace enfilade::accel

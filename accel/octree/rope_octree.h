@@ -121,6 +121,18 @@ public:
     RopeOctree(const Octree& tree, const MeshPart& mesh, const RopeOptions& options, const Executor& executor);
 
     [[nodiscard]] RopeView view() const;
+    /// A view of copies of the arrays, for another memory: first the words, the cube map last. copy: T const* copy(T
+    /// const* values, count)
+    template <class Copy>
+    [[nodiscard]] RopeView copied(const Copy& copy) const {
+        RopeView copied = view();
+        if (words_.empty()) return copied;
+        copied.words = copy(words_.data(), words_.size());
+        copied.triangles = copy(triangles_.data(), triangles_.size());
+        copied.boxes = boxes_.empty() ? nullptr : copy(boxes_.data(), boxes_.size());
+        copied.cube_map = copy(cube_map_.data(), cube_map_.size());
+        return copied;
+    }
     [[nodiscard]] RopeBytes bytes() const;
     [[nodiscard]] std::size_t leaf_count() const { return leaf_count_; }
     [[nodiscard]] std::size_t neighbour_count() const { return neighbour_count_; }  ///< over all leaves

@@ -120,11 +120,12 @@ TEST(OctreeJumps, FindTheLeafOfEachCellAlsoMirrored) {
             const std::uint32_t width = tree.width(leaf);
             for (std::uint32_t mirrored = 0; mirrored < 8; ++mirrored) {
                 LatticeRay ray = {};
+                ray.octant = 7 - mirrored;
                 LatticeCell low, high;
                 for (std::size_t k = 0; k < 3; ++k) {
-                    ray.mirror[k] = (mirrored >> k & 1u) != 0 ? (1u << tree.frame.depth) - 1 : 0;
-                    low.at[k] = static_cast<std::int32_t>(leaf.low[k] ^ ray.mirror[k]);
-                    high.at[k] = static_cast<std::int32_t>((leaf.low[k] + width - 1) ^ ray.mirror[k]);
+                    const std::uint32_t mirror = (mirrored >> k & 1u) != 0 ? (1u << tree.frame.depth) - 1 : 0;
+                    low.at[k] = static_cast<std::int32_t>(leaf.low[k] ^ mirror);
+                    high.at[k] = static_cast<std::int32_t>((leaf.low[k] + width - 1) ^ mirror);
                 }
                 for (const LatticeCell& cell : {low, high}) {
                     const accel::JumpEntry entry = leaf_at(view, ray, cell, events);

@@ -1,0 +1,101 @@
+// What warps do with an octree's rays, counted: schedules change when work is done, not how much of it.
+#include <gtest/gtest.h>
+
+#include "render/cuda/octree_counts.h"
+#include "render/cuda/octree_rays.h"
+#include "tests/render/cuda/octree_cases.h"
+
+namespace enfilade::render::cuda {
+namespace {
+
+using Kind = OctreeSchedule::Kind;
+
+/// Bounces in a ball of bumps: rays of one warp go different ways.
+class OctreeWarps : public testing::Test {
+protected:
+    static constexpr int width = 128;
+    OctreeWarps() {
+        Camera camera;
+        camera.eye = {2, 1, 1};
+        camera.target = {0, 0, 0};
+        camera.fov_deg = 50;
+        camera.width = camera.height = width;
+        OctreeRays first(*device_, width * width, true), bounced(*device_, width * width, false);
+        first.primary(make_frame(camera), width, width);
+        first.nearest(octree_, {});
+        bounced.diffuse(first, octree_, 1);
+        rays_ = bounced.rays();
+        job_.rays = rays_.data();
+        answers_.resize(rays_.size());
+        job_.answers = answers_.data();
+    }
+    [[nodiscard]] CountedWarps count(const OctreeSchedule& schedule) {
+        return count_octree_warps(std::get<RecordTree>(octree_.tree()), job_, static_cast<std::uint32_t>(rays_.size()),
+                                  schedule);
+    }
+
+    accel::SerialExecutor cores_;
+    std::unique_ptr<Device> device_ = open_host(cores_);
+    test::TriedMesh mesh_{test::ball_mesh(30, 1)};
+    accel::LinkedOctree linked_{accel::build_octree(mesh_.part(), {.depth = 5, .leaf_size = 8}, cores_), mesh_.part(),
+                                cores_};
+    DeviceOctree octree_{*device_, upload_octree(*device_, linked_), {}};
+    std::vector<OctreeRay> rays_;
+    std::vector<OctreeAnswer> answers_;
+    OctreeJob job_ = {};
+};
+
+TEST_F(OctreeWarps, EveryScheduleEntersTheSameLeavesAndTestsTheSameTriangles) {
+    const CountedWarps simple = count({.kind = Kind::PerLeaf});
+    EXPECT_GT(simple.leaves, rays_.size() / 10);
+    for (const OctreeSchedule& schedule :
+         {OctreeSchedule{.kind = Kind::WhileWhile}, OctreeSchedule{.kind = Kind::Postponed},
+          OctreeSchedule{.kind = Kind::Persistent}}) {
+        const CountedWarps other = count(schedule);
+        EXPECT_EQ(other.leaves, simple.leaves);
+        EXPECT_EQ(other.looks, simple.looks);
+        EXPECT_EQ(other.test_lanes, simple.test_lanes);
+        EXPECT_EQ(other.step_lanes, other.leaves);
+    }
+}
+
+TEST_F(OctreeWarps, WaitingForTrianglesTestsThemMoreTogether) {
+    const CountedWarps simple = count({.kind = Kind::PerLeaf}), together = count({.kind = Kind::WhileWhile});
+    EXPECT_LT(together.tests, simple.tests);
+    EXPECT_GT(together.test_share(), simple.test_share());
+    const CountedWarps between = count({.kind = Kind::Postponed, .ready = 16});
+    EXPECT_LE(between.rounds, simple.rounds);
+    EXPECT_GE(between.rounds, together.rounds);
+}
+
+TEST_F(OctreeWarps, FetchingRaysKeepsLanesAtWork) {
+    const CountedWarps fixed = count({.kind = Kind::Postponed}), fetched = count({.kind = Kind::Persistent, .idle = 8});
+    EXPECT_GT(fetched.step_share(), 1.1 * fixed.step_share());
+    EXPECT_LT(fetched.steps, fixed.steps);
+}
+
+TEST_F(OctreeWarps, TilesGoTogetherBetterThanRows) {
+    OctreeJob tiles = {};
+    Camera camera;
+    camera.eye = {2, 1, 1};
+    camera.target = {0, 0, 0};
+    camera.fov_deg = 50;
+    camera.width = camera.height = width;
+    tiles.camera = make_frame(camera);
+    tiles.pixels = {width, width};
+    tiles.answers = answers_.data();
+    std::vector<OctreeRay> rows;
+    for (int y = 0; y < width; ++y)
+        for (int x = 0; x < width; ++x) rows.push_back(primary_ray(tiles.camera, {x, y}));
+    OctreeJob by_rows = job_;
+    by_rows.rays = rows.data();
+    const auto& tree = std::get<RecordTree>(octree_.tree());
+    const CountedWarps of_tiles = count_octree_warps(tree, tiles, width * width, {}),
+                       of_rows = count_octree_warps(tree, by_rows, width * width, {});
+    EXPECT_EQ(of_tiles.leaves, of_rows.leaves);
+    EXPECT_LT(of_tiles.steps, of_rows.steps);
+    EXPECT_LT(of_tiles.tests, of_rows.tests);
+}
+
+}  // namespace
+}  // namespace enfilade::render::cuda
