@@ -1,8 +1,10 @@
 #pragma once
 // How fast a card is: one function a table.
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "accel/parallel_for.h"
@@ -17,7 +19,14 @@ struct BenchOptions {
     int side = 1024;               ///< of frames, pixels
     int large_side = 8192;         ///< of the pictures that are batches: 67 million rays
     std::size_t rays = 64u << 20;  ///< of a batch
-    std::size_t views = 24;        ///< of each scene, at most
+    std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
+
+    /// Whether there is no time left: what follows is left out, and the report says so.
+    [[nodiscard]] bool is_late(Report& report, const std::string& what) const {
+        if (std::chrono::steady_clock::now() < end) return false;
+        report.leave_out(what);
+        return true;
+    }
 };
 
 /// What the others are measured against, in the same run.

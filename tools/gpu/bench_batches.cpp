@@ -73,6 +73,7 @@ void bench_pictures(render::cuda::Device& device, const PreparedScene& scene, co
         static_cast<std::uint64_t>(options.large_side) * static_cast<unsigned>(options.large_side);
     for (const FrameTask& task : frame_tasks()) {
         if (!scene.has(task) || task.lamps == render::LampSearch::Naive) continue;
+        if (options.is_late(report, "large pictures of " + scene.tried().name + ", " + task.name)) continue;
         report.progress("large pictures of " + scene.tried().name + ": " + task.name);
         std::vector<std::unique_ptr<FrameMaker>> makers;
         std::vector<Result> results;
@@ -134,6 +135,7 @@ private:
     /// bytes: that a ray and its answer take, at least
     template <class Ask>
     void run(const std::string& name, std::size_t rays, double bytes_a_ray, const Ask& ask) {
+        if (options_.is_late(report_, "streams of " + scene_.name + ", " + name)) return;
         report_.progress("streams of " + scene_.name + ": " + name + (with_objects_ ? ", objects" : ""));
         std::vector<std::function<void()>> competitors;
         std::vector<std::size_t> bytes;
@@ -181,15 +183,28 @@ void bench_streams(render::cuda::Device& device, const TriedScene& scene, const 
     bench.bench(shadow_segments(scene, primary, lists.view(), objects, options.rays, executor));
 }
 
+/// The two largest bare ones and the largest furnished one: smaller ones tell nothing new.
+std::vector<const TriedScene*> for_batches(const std::vector<TriedScene>& scenes) {
+    std::vector<const TriedScene*> largest, taken;
+    for (const TriedScene& scene : scenes)
+        if (!scene.is_single_mesh()) largest.push_back(&scene);
+    std::stable_sort(largest.begin(), largest.end(), [](const TriedScene* a, const TriedScene* b) {
+        return a->view().cells.size() > b->view().cells.size();
+    });
+    std::size_t bare = 0, furnished = 0;
+    for (const TriedScene* scene : largest)
+        if (scene->has_objects() ? furnished++ < 1 : bare++ < 2) taken.push_back(scene);
+    return taken;
+}
+
 }  // namespace
 
 void bench_batches(render::cuda::Device& device, const std::vector<TriedScene>& scenes, const Limits& limits,
                    const BenchOptions& options, const accel::Executor& executor, Report& report) {
     MarkdownTable pictures = batch_table(), streams = batch_table();
-    for (const TriedScene& scene : scenes) {
-        if (scene.is_single_mesh()) continue;
-        bench_pictures(device, PreparedScene(scene, executor), limits, options, pictures, report);
-        bench_streams(device, scene, limits, options, executor, streams, report);
+    for (const TriedScene* scene : for_batches(scenes)) {
+        bench_pictures(device, PreparedScene(*scene, executor), limits, options, pictures, report);
+        bench_streams(device, *scene, limits, options, executor, streams, report);
     }
     report.section("Pictures as batches",
                    "One picture of " + std::to_string(options.large_side) + " x " + std::to_string(options.large_side) +

@@ -29,7 +29,9 @@ constexpr const char* usage =
     "  --side N         pixels a side of compared pictures (1024; on the host 64)\n"
     "  --views N        views of each scene that are compared, at most (2)\n"
     "  --quick          bench: fewer rounds and smaller batches, for a first look\n"
-    "  --rays N         bench: rays of a batch (64 million, fewer where the card's memory is small)\n"
+    "  --rays N         rays of a batch (check: 2 million, on the host 4,096; bench: 64 million, fewer where the\n"
+    "                   card's memory is small)\n"
+    "  --minutes N      bench: what is not measured by then is left out (7)\n"
     "  --help           says this\n"
     "\n"
     "Reports go to standard output as Markdown, progress to standard error. Ends with 0 when all is well, 1 when\n"
@@ -44,6 +46,7 @@ struct Arguments {
     int views = 2;
     bool is_quick = false;
     int rays = 0;  ///< 0: what suits the device
+    int minutes = 7;
 };
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -79,6 +82,8 @@ Arguments parsed(const std::vector<std::string>& words) {
             arguments.views = number(word, value(), 1, 10000);
         } else if (word == "--rays") {
             arguments.rays = number(word, value(), 32, 1 << 30);
+        } else if (word == "--minutes") {
+            arguments.minutes = number(word, value(), 1, 10000);
         } else if (word == "--quick") {
             arguments.is_quick = true;
         } else if (word.starts_with("-")) {
@@ -117,6 +122,7 @@ int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     options.views = static_cast<std::size_t>(arguments.views);
 
     if (!device->is_card()) options.rays = 1 << 12;
+    if (arguments.rays != 0) options.rays = static_cast<std::size_t>(arguments.rays);
     MarkdownTable table({"scene", "what", "by", "asked", "the same", "at edges", "leaks", "largest error of a distance",
                          "same means", "verdict"});
     std::vector<std::string> faults;
@@ -164,6 +170,7 @@ BenchOptions bench_options(const Arguments& arguments, const render::cuda::Devic
     }
     if (arguments.side != 0) options.side = arguments.side;
     if (arguments.rays != 0) options.rays = static_cast<std::size_t>(arguments.rays);
+    options.end = std::chrono::steady_clock::now() + std::chrono::minutes(arguments.minutes);
     return options;
 }
 

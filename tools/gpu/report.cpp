@@ -21,6 +21,10 @@ void Report::write_goals() {
                   : *goal.ratio >= goal.least ? "met"
                                               : "not met"});
     table(rows);
+    if (left_out_.empty()) return;
+    std::string names;
+    for (const std::string& what : left_out_) names += (names.empty() ? "" : "; ") + what;
+    sentence("Left out, because the time was up: " + names + ".");
 }
 
 }  // namespace enfilade::tools::gpu

@@ -32,14 +32,17 @@ public:
     void table(const MarkdownTable& table);
     void sentence(const std::string& text);
     void progress(const std::string& text) { *log_ << text << std::endl; }
+    /// Says at the end what nobody had time for.
+    void leave_out(const std::string& what) { left_out_.push_back(what); }
     void add_goal(GoalRow goal) { goals_.push_back(std::move(goal)); }
-    /// The section of the goals.
+    /// The section of the goals, and what was left out.
     void write_goals();
 
 private:
     std::ostream* out_;
     std::ostream* log_;
     std::vector<GoalRow> goals_;
+    std::vector<std::string> left_out_;
 };
 
 }  // namespace enfilade::tools::gpu
