@@ -155,6 +155,8 @@ void DeviceStream::visible(const DeviceSegments& segments, std::uint8_t* visible
     }
 }
 
+const accel::SceneView& DeviceStream::scene() const { return parts_->scenes.columns; }
+
 std::size_t DeviceStream::bytes() const {
     return parts_->arrays.bytes() + parts_->room.bytes() + parts_->sorter.bytes();
 }

@@ -86,6 +86,8 @@ public:
     /// Asks for 1 where nothing but glass lies between the ends of a segment, else 0, as render::visible tells it.
     /// visible: [count]
     void visible(const DeviceSegments& segments, std::uint8_t* visible);
+    /// The scene's copy on the device, for kernels.
+    [[nodiscard]] const accel::SceneView& scene() const;
     /// In the device's memory: the scene, its trees, and what the streams so far have needed.
     [[nodiscard]] std::size_t bytes() const;
 
