@@ -11,11 +11,6 @@ int power_of(int side) {
     return log;
 }
 
-/// Rectangles of warps, from one end of the image to the other.
-std::uint32_t rectangles(int pixels, int tiles, int side) {
-    return static_cast<std::uint32_t>((pixels + tiles * side - 1) / (tiles * side));
-}
-
 PacketView view_of(const PacketJob& job) {
     PacketView view = {};
     view.scene = *job.scene;
@@ -29,29 +24,24 @@ PacketView view_of(const PacketJob& job) {
     view.rgba = job.rgba;
     view.smallest = job.tiles.smallest;
     view.log_largest = power_of(job.tiles.largest);
-    view.across = rectangles(job.width, PacketView::tiles_across, job.tiles.largest);
+    const int pixels_across = PacketView::tiles_across * job.tiles.largest;
+    view.across = static_cast<std::uint32_t>((job.width + pixels_across - 1) / pixels_across);
     view.stores_quads = job.width % 4 == 0;
     return view;
-}
-
-std::uint64_t warps_of(const PacketView& view) {
-    return std::uint64_t{view.across} * rectangles(view.height, PacketView::tiles_down, 1 << view.log_largest);
 }
 
 }  // namespace
 
 void draw_packets(Device& device, const PacketJob& job) {
-    const PacketKernel<BareRooms> kernel = {view_of(job), {}};
-    for_each_warp(device, warps_of(kernel.view), kernel);
+    const PacketView view = view_of(job);
+    if (job.objects != nullptr && view.scene.has_objects()) return draw_furnished_packets(device, view, *job.objects);
+    for_each_warp(device, warps_of(view), PacketKernel<BareRooms>{view, {}});
 }
 
 PacketCounts count_packets(const PacketJob& job) {
     const PacketView view = view_of(job);
-    PacketMemory memory;
-    PacketCounts counts;
-    for (std::uint64_t w = 0; w < warps_of(view); ++w)
-        PacketWarp<BareRooms, PacketCounts>(view, BareRooms{}, Warp(), memory, counts).draw(w);
-    return counts;
+    if (job.objects != nullptr && view.scene.has_objects()) return count_furnished_packets(view, *job.objects);
+    return counts_of(view, BareRooms{});
 }
 
 }  // namespace enfilade::render::cuda

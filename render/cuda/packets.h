@@ -5,6 +5,7 @@
 
 #include "render/camera.h"
 #include "render/cuda/device.h"
+#include "render/cuda/device_objects.h"
 #include "render/cuda/packets_counts.h"
 #include "render/look.h"
 
@@ -17,7 +18,7 @@ struct PacketTiles {
     int smallest = 4;  ///< 4 to `largest`
 };
 
-/// One frame, `Shading::Lambert`, bare rooms. Pointers are the device's.
+/// One frame, `Shading::Lambert`. Pointers are the device's.
 struct PacketJob {
     const accel::SceneView* scene;  ///< on the host, its arrays on the device (copy_scene)
     CameraFrame camera;
@@ -27,6 +28,7 @@ struct PacketJob {
     int width, height;
     std::uint32_t* rgba;  ///< [width * height], aligned to 16 bytes
     PacketTiles tiles;
+    const DeviceObjects* objects = nullptr;  ///< nullptr: rooms are seen without what stands in them
 };
 
 /// Asks for the picture: every pixel is written once, whatever the size. \pre the tiles are sound

@@ -158,10 +158,11 @@ ENFILADE_HD void fill_columns(const PacketView& view, const Paint& paint, int x,
     if (paint.kind == PaintKind::Face) {
         const Column columns[4] = {
             {view, paint, first}, {view, paint, first + 1}, {view, paint, first + 2}, {view, paint, first + 3}};
-        for (; y < end; y += step, out += rows) {
+        float middle = static_cast<float>(y) + 0.5f;
+        const auto down = static_cast<float>(step), last = static_cast<float>(end);
+        for (; middle < last; middle += down, out += rows) {
             FourPixels pixels;
-            for (int i = 0; i < 4; ++i)
-                pixels.of[i] = face_pixel(view, paint, columns[i], static_cast<float>(y) + 0.5f);
+            for (int i = 0; i < 4; ++i) pixels.of[i] = face_pixel(view, paint, columns[i], middle);
             store_four(view, x, out, pixels);
         }
     } else {

@@ -3,8 +3,11 @@
 
 #include <cstdint>
 
+#include "render/cuda/device_objects.h"
 #include "render/cuda/launch.h"
+#include "render/cuda/packets_counts.h"
 #include "render/cuda/packets_fill.h"
+#include "render/cuda/packets_objects.h"
 #include "render/cuda/packets_pixel.h"
 #include "render/cuda/packets_view.h"
 #include "render/cuda/warp_memory.h"
@@ -48,7 +51,9 @@ enum class TileEnd : std::uint32_t { Absent, Walking, Filled, Parted };
 struct CornerRay {
     Ray<float> ray;
     std::uint32_t cell;
+    std::uint32_t objects;  ///< of the cell, that the tile may meet
     bool is_mirrored;
+    TilePlane plane;  ///< of furnished rooms
 };
 
 /// Lane k has the corner of tile k / 4 on the right (bit 0 of k), below (bit 1). What its corners share is in memory,
@@ -142,7 +147,9 @@ private:
         filled = full_groups(warp_.ballot(is));
         for (const int lane : warp_.lanes()) {
             is[lane] = ends[lane] == TileEnd::Parted || ends[lane] == TileEnd::Walking;
-            if (is[lane] && (lane & 3) == 0) memory_.tiles[lane >> 2].cell = corners[lane].cell;
+            if (!is[lane] || (lane & 3) != 0) continue;
+            memory_.tiles[lane >> 2].cell = corners[lane].cell;
+            memory_.tiles[lane >> 2].objects = corners[lane].objects;
         }
         parted = full_groups(warp_.ballot(is));
     }
@@ -150,12 +157,48 @@ private:
     [[nodiscard]] ENFILADE_HD CornerRay corner_of(const Bundle& tile, int side, int corner) const {
         const int right = tile.x + side < view_.width ? tile.x + side : view_.width;
         const int below = tile.y + side < view_.height ? tile.y + side : view_.height;
-        return {ray_of(view_, tile, (corner & 1) != 0 ? right - 1 : tile.x, (corner & 2) != 0 ? below - 1 : tile.y),
-                tile.cell, tile.is_mirrored()};
+        CornerRay result = {
+            ray_of(view_, tile, (corner & 1) != 0 ? right - 1 : tile.x, (corner & 2) != 0 ? below - 1 : tile.y),
+            tile.cell,
+            0,
+            tile.is_mirrored(),
+            {}};
+        if constexpr (Rooms::are_furnished) result.plane = TilePlane::of(view_, tile, right, below, corner);
+        return result;
+    }
+
+    /// Which objects of their cells the tiles may meet.
+    ENFILADE_HD void look_around(PerLane<CornerRay>& corners, const PerLane<TileEnd>& ends) {
+        PerLane<std::uint32_t> hidden;
+        PerLane<int> beside, below;
+        PerLane<bool> has_more;
+        for (std::uint32_t first = 0;; first += most_in_bits) {
+            for (const int lane : warp_.lanes()) {
+                CornerRay& c = corners[lane];
+                beside[lane] = lane ^ 1;
+                below[lane] = lane ^ 2;
+                hidden[lane] = ~0u;
+                has_more[lane] = false;
+                if (ends[lane] != TileEnd::Walking) continue;
+                if (first == 0) c.objects = 0;
+                hidden[lane] = hidden_by(view_.scene, c.plane, c.ray.origin, c.cell, first);
+                has_more[lane] = object_count(view_.scene, c.cell) > first + most_in_bits;
+            }
+            PerLane<std::uint32_t> others = warp_.gathered(hidden, beside);
+            for (const int lane : warp_.lanes()) hidden[lane] |= others[lane];
+            others = warp_.gathered(hidden, below);
+            for (const int lane : warp_.lanes()) {
+                const std::uint32_t seen = ~(hidden[lane] | others[lane]);
+                if (ends[lane] != TileEnd::Walking || seen == 0) continue;
+                corners[lane].objects = first == 0 && !has_more[lane] ? seen : all_in_view;
+            }
+            if (warp_.ballot(has_more) == 0) return;
+        }
     }
 
     /// All that walk leave their cells; tiles whose corners do so by one face go on through it, or end there.
     ENFILADE_HD void take_step(PerLane<CornerRay>& corners, PerLane<TileEnd>& ends) {
+        if constexpr (Rooms::are_furnished) look_around(corners, ends);
         constexpr std::uint32_t by_floor = 0xfffffffeu, by_ceiling = 0xfffffffdu, by_none = 0xffffffffu;
         PerLane<WalkEnd<float>> exits;
         PerLane<std::uint32_t> keys;
@@ -164,8 +207,8 @@ private:
             keys[lane] = by_none;
             beside[lane] = lane ^ 1;
             below[lane] = lane ^ 2;
-            if (ends[lane] != TileEnd::Walking) continue;
             const CornerRay& c = corners[lane];
+            if (ends[lane] != TileEnd::Walking || c.objects != 0) continue;
             events_.entered_cell(view_.scene.cells[c.cell].section_count);
             WalkEnd<float>& end = exits[lane];
             if (leave_plainly(view_.scene, c.ray, c.cell, NoLimit{}, end) && !ends_behind(c.ray, end))
@@ -195,6 +238,7 @@ private:
             if (is_first) reflect(view_, exit, tile);
             corner.ray = mirrored(corner.ray, view_.scene.cells[corner.cell].z_floor);
             corner.is_mirrored = true;
+            corner.plane.normal.z = -corner.plane.normal.z;
         } else {
             if (is_first) memory_.paints[lane >> 2] = paint_of(view_, tile, exit);
             end = TileEnd::Filled;
@@ -211,7 +255,7 @@ private:
             for (const int lane : warp_.lanes()) {
                 const int number = first + (lane >> log_lanes), within = lane & ((1 << log_lanes) - 1);
                 if (number >= tiles) continue;
-                const Paint& paint = memory_.paints[memory_.filled[number]];
+                const Paint paint = memory_.paints[memory_.filled[number]];
                 const int left = static_cast<int>(paint.place & 0xffffu), top = static_cast<int>(paint.place >> 16);
                 const int x = left + ((within & ((1 << log_across) - 1)) << 2);
                 if (x >= view_.width) continue;
@@ -239,7 +283,7 @@ private:
                 if (x >= view_.width || y >= view_.height) continue;
                 ++drawn;
                 Vec3f light;
-                is_astray[lane] = !pixel_from<Rooms>(view_, tile, x, y, events_, light);
+                is_astray[lane] = !PixelWay<Rooms, Events>(view_, rooms_, tile, x, y, events_).follow(light);
                 *pixel_at(view_, x, y) = is_astray[lane] ? astray : encoded(light);
             }
             are_astray_ |= warp_.ballot(is_astray) != 0;
@@ -273,7 +317,7 @@ private:
 /// A warp's rectangle.
 template <class Rooms>
 struct PacketKernel {
-    static constexpr LaunchShape shape = {128, 6};
+    static constexpr LaunchShape shape = {128, Rooms::are_furnished ? 4 : 6};
     PacketView view;
     Rooms rooms;
 
@@ -283,5 +327,26 @@ struct PacketKernel {
         PacketWarp<Rooms, NoPacketEvents>(view, rooms, warp, memory.get(), none).draw(w);
     }
 };
+
+/// Warps of a picture.
+inline std::uint64_t warps_of(const PacketView& view) {
+    const int pixels_down = PacketView::tiles_down << view.log_largest;
+    return std::uint64_t{view.across} * static_cast<std::uint64_t>((view.height + pixels_down - 1) / pixels_down);
+}
+
+/// All of them, one after the other, counted.
+template <class Rooms>
+PacketCounts counts_of(const PacketView& view, const Rooms& rooms) {
+    PacketMemory memory;
+    PacketCounts counts;
+    const Warp warp;
+    for (std::uint64_t w = 0; w < warps_of(view); ++w)
+        PacketWarp<Rooms, PacketCounts>(view, rooms, warp, memory, counts).draw(w);
+    return counts;
+}
+
+// In furnished rooms (packets_furnished.cu).
+void draw_furnished_packets(Device& device, const PacketView& view, const DeviceObjects& objects);
+[[nodiscard]] PacketCounts count_furnished_packets(const PacketView& view, const DeviceObjects& objects);
 
 }  // namespace enfilade::render::cuda

@@ -1,7 +1,7 @@
 #pragma once
 // Pixels whose tile does not know where they end, each walked by itself from where the tile's rays parted.
 
-#include "render/cuda/packets_view.h"
+#include "render/cuda/packets_objects.h"
 
 namespace enfilade::render::cuda {
 
@@ -18,31 +18,74 @@ ENFILADE_HD_COLD Vec3f pixel_from_eye(const PacketView& view, const Rooms& rooms
     return lambert_pixel<float>(picture, rooms, x, y, none);
 }
 
-/// Linear light of a pixel of a bundle. False where rounding leads its ray astray: then it is to be walked from the
-/// eye.
+/// A pixel's way through cells, from where its tile's rays parted.
 template <class Rooms, class Events>
-ENFILADE_HD bool pixel_from(const PacketView& view, Bundle at, int x, int y, Events& events, Vec3f& light) {
-    Ray<float> ray = ray_of(view, at, x, y);
-    Vec3f floor = at.is_mirrored() ? floor_cosine(ray) * at.floor : Vec3f{0, 0, 0};
-    for (std::uint64_t steps = view.scene.cells.count + 16; steps > 0; --steps) {
-        events.entered_cell(view.scene.cells[at.cell].section_count);
-        Sight<float> sight = {};
-        if (!leave_plainly(view.scene, ray, at.cell, NoLimit{}, sight.end)) return false;
-        if (sight.end.target.is_portal()) {
-            if (sight.end.target.is_glass()) pass_glass(view, sight.end, at, events);
-            at.cell = static_cast<std::uint32_t>(sight.end.target.neighbour());
-        } else if (ends_behind(ray, sight.end)) {
-            return false;
-        } else if (meets_mirror(view, sight.end, at.is_mirrored())) {
-            reflect(view, sight.end, at);
-            floor = floor_cosine(ray) * at.floor;
-            ray = mirrored(ray, view.scene.cells[at.cell].z_floor);
-        } else {
-            light = floor + at.tint * lambert_colour<Rooms>(view.scene, view.look, ray, sight);
+class PixelWay {
+public:
+    ENFILADE_HD PixelWay(const PacketView& view, const Rooms& rooms, const Bundle& at, int x, int y, Events& events)
+        : view_(view), rooms_(rooms), events_(events), at_(at), ray_(ray_of(view, at, x, y)) {
+        if (!at.is_mirrored()) return;
+        floor_ = floor_cosine(ray_) * at.floor;
+        // The same as seen from the eye: origin and direction have both been turned over.
+        first_ = (view.scene.cells[at.floor_cell].z_floor - ray_.origin.z) / ray_.direction.z;
+        near_ = first_;
+    }
+
+    /// To the end, as linear light. False in the rare cases that the lean walk leaves to others.
+    ENFILADE_HD bool follow(Vec3f& light) {
+        for (std::uint64_t steps = view_.scene.cells.count + 16; steps > 0; --steps) {
+            events_.entered_cell(view_.scene.cells[at_.cell].section_count);
+            Sight<float> sight = {};
+            WalkEnd<float>& end = sight.end;
+            if (!leave_plainly(view_.scene, ray_, at_.cell, NoLimit{}, end)) return false;
+            if (meets_objects_here(sight)) {
+                end.status = WalkStatus::Object;
+            } else if (end.target.is_portal()) {
+                if (end.target.is_glass()) pass_glass(view_, end, at_, events_);
+                at_.cell = static_cast<std::uint32_t>(end.target.neighbour());
+                continue;
+            } else if (ends_behind(ray_, end)) {
+                return false;
+            } else if (meets_mirror(view_, end, at_.is_mirrored())) {
+                turn_at(end);
+                continue;
+            }
+            light = floor_ + at_.tint * lambert_colour<Rooms>(view_.scene, view_.look, ray_, sight);
             return true;
         }
+        return false;
     }
-    return false;
-}
+
+private:
+    /// Between where the ray came into the cell and where it leaves it.
+    ENFILADE_HD bool meets_objects_here(Sight<float>& sight) {
+        if constexpr (Rooms::are_furnished) {
+            const std::uint32_t in_view = at_.objects;
+            at_.objects = all_in_view;  // of the next cell
+            const bool is_asked = in_view != 0 && object_count(view_.scene, at_.cell) != 0;
+            const float leaves_at = parameter(view_.scene, ray_, sight.end);
+            const float near = near_;
+            near_ = stretch_start(leaves_at, first_);
+            return is_asked && meets_in_view(view_.scene, rooms_.objects, ray_, at_.cell, in_view, near,
+                                             stretch_end(leaves_at, 3e38f), sight.hit);
+        }
+        return false;
+    }
+
+    ENFILADE_HD void turn_at(const WalkEnd<float>& end) {
+        first_ = near_ = parameter(view_.scene, ray_, end);
+        reflect(view_, end, at_);
+        floor_ = floor_cosine(ray_) * at_.floor;
+        ray_ = mirrored(ray_, view_.scene.cells[at_.cell].z_floor);
+    }
+
+    const PacketView& view_;
+    const Rooms& rooms_;
+    Events& events_;
+    Bundle at_;
+    Ray<float> ray_;
+    Vec3f floor_ = {0, 0, 0};
+    float first_ = 0, near_ = 0;  ///< parameters: objects count from there; in this cell from there
+};
 
 }  // namespace enfilade::render::cuda

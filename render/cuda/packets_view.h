@@ -47,6 +47,7 @@ struct alignas(16) Bundle {
     int x, y;  ///< of the tile's first pixel
     std::uint32_t cell;
     std::uint32_t floor_cell;  ///< whose floor has mirrored them, or no_cell
+    std::uint32_t objects;     ///< of their cell, that they may meet (packets_objects.h)
     Vec3f tint;                ///< what is left of light on its way to the eye
     Vec3f floor;               ///< light of the floor that has mirrored them, times its cosine
 
@@ -54,7 +55,7 @@ struct alignas(16) Bundle {
 };
 
 ENFILADE_HD Bundle bundle_at_eye(const PacketView& view, int x, int y) {
-    return {x, y, view.start_cell, no_cell, {1, 1, 1}, {0, 0, 0}};
+    return {x, y, view.start_cell, no_cell, ~0u, {1, 1, 1}, {0, 0, 0}};
 }
 
 /// The camera's ray through a pixel, as a bundle's rays are where it is.

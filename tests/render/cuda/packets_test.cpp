@@ -93,6 +93,21 @@ std::string text_of(PacketTiles tiles) {
     return "tiles " + std::to_string(tiles.largest) + " to " + std::to_string(tiles.smallest) + ": ";
 }
 
+/// Pixels that differ by more than one step of a channel.
+std::size_t others(const Framebuffer& expected, const Framebuffer& actual) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < expected.rgba.size(); ++i)
+        for (int channel = 0; channel < 32; channel += 8) {
+            const int e = static_cast<int>(expected.rgba[i] >> channel & 255u);
+            const int a = static_cast<int>(actual.rgba[i] >> channel & 255u);
+            if (e - a > 1 || a - e > 1) {
+                ++count;
+                break;
+            }
+        }
+    return count;
+}
+
 class Packets : public test::DeviceTest {};
 ENFILADE_ON_DEVICES(Packets);
 
@@ -163,17 +178,7 @@ TEST_P(Packets, ShowWhatFloorsMirror) {
             const Shot shot = shot_of(scene.view(), trying.camera);
             const Framebuffer expected = scene.by_scalar(shot), actual = scene.by_packets(shot, {});
             // The mixed colours tell no face apart; so few pixels may differ as have an edge beside them.
-            std::size_t others = 0;
-            for (std::size_t i = 0; i < expected.rgba.size(); ++i)
-                for (int channel = 0; channel < 32; channel += 8) {
-                    const int e = static_cast<int>(expected.rgba[i] >> channel & 255u);
-                    const int a = static_cast<int>(actual.rgba[i] >> channel & 255u);
-                    if (e - a > 1 || a - e > 1) {
-                        ++others;
-                        break;
-                    }
-                }
-            EXPECT_LE(others, 4u) << trying.name << " of " << expected.rgba.size();
+            EXPECT_LE(others(expected, actual), 4u) << trying.name << " of " << expected.rgba.size();
         }
     }
 }
