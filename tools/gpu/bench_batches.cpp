@@ -17,7 +17,7 @@ namespace {
 
 /// A competitor's name and seconds for one batch.
 struct Result {
-    const char* way;
+    std::string way;
     bool is_ours;
     std::optional<double> seconds;
 };
@@ -54,7 +54,7 @@ void add_goal(const std::string& what, const std::string& scene, double least, c
     GoalRow goal = {what + ", " + scene, least, std::nullopt, "-"};
     if (ours != nullptr && others != nullptr) {
         goal.ratio = *others->seconds / *ours->seconds;
-        goal.of = std::string(ours->way) + " against " + others->way;
+        goal.of = ours->way + " against " + others->way;
     }
     report.add_goal(std::move(goal));
 }
@@ -66,9 +66,10 @@ MarkdownTable batch_table() {
 
 /// Rays of a picture of so many pixels that a launch costs nothing.
 void bench_pictures(render::cuda::Device& device, const PreparedScene& scene, const Limits& limits,
-                    const BenchOptions& options, MarkdownTable& table, Report& report) {
+                    const BenchOptions& options, const accel::Executor& executor, MarkdownTable& table,
+                    Report& report) {
     const std::vector<TriedView>& views = scene.tried().views;
-    const TriedView& view = views[views.size() / 2];
+    const std::vector<TriedView> one = {views[views.size() / 2]};
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(options.large_side) * static_cast<unsigned>(options.large_side);
     for (const FrameTask& task : frame_tasks()) {
@@ -78,19 +79,21 @@ void bench_pictures(render::cuda::Device& device, const PreparedScene& scene, co
         std::vector<std::unique_ptr<FrameMaker>> makers;
         std::vector<Result> results;
         for (const FrameWay& way : frame_ways())
-            if (auto maker = way.open(device, scene.frames(), task)) {
+            if (auto maker = way.open(device, scene.frames(), task, executor)) {
                 makers.push_back(std::move(maker));
                 results.push_back({way.name, way.is_ours, std::nullopt});
             }
         std::vector<std::function<void()>> competitors;
         std::vector<std::size_t> bytes;
         for (const auto& maker : makers) {
-            competitors.push_back(
-                [&, m = maker.get()] { m->draw(view.frame(options.large_side), view.start, options.large_side); });
-            bytes.push_back(maker->bytes());
+            maker->set_views(one, options.large_side);
+            competitors.push_back([m = maker.get()] { m->draw(0); });
         }
         const DeviceContest contest(device, options.rounds, competitors, 2);
-        for (std::size_t k = 0; k < results.size(); ++k) results[k].seconds = contest.seconds(k);
+        for (std::size_t k = 0; k < results.size(); ++k) {
+            results[k].seconds = contest.seconds(k);
+            bytes.push_back(makers[k]->bytes());
+        }
         add_rows(scene.tried().name, task.name, pixels, limits.large_image, results, bytes, table);
         if (task.name == "Lambert" && !scene.tried().has_objects())
             add_goal("empty floor, primary + Lambert", scene.tried().name, 5, results, report);
@@ -142,11 +145,13 @@ private:
         std::vector<Result> results;
         for (std::size_t k = 0; k < makers_.size(); ++k) {
             competitors.push_back([&, k] { ask(*makers_[k]); });
-            bytes.push_back(makers_[k]->bytes());
             results.push_back({ways_[k]->name, ways_[k]->is_ours, std::nullopt});
         }
         const DeviceContest contest(device_, options_.rounds, competitors, 2);
-        for (std::size_t k = 0; k < results.size(); ++k) results[k].seconds = contest.seconds(k);
+        for (std::size_t k = 0; k < results.size(); ++k) {
+            results[k].seconds = contest.seconds(k);
+            bytes.push_back(makers_[k]->bytes());
+        }
         std::optional<double> least;
         if (limits_.copy) least = static_cast<double>(rays) * bytes_a_ray / *limits_.copy;
         add_rows(scene_.name, name + (with_objects_ ? " rays, objects" : " rays"), rays, least, results, bytes, table_);
@@ -203,7 +208,7 @@ void bench_batches(render::cuda::Device& device, const std::vector<TriedScene>& 
                    const BenchOptions& options, const accel::Executor& executor, Report& report) {
     MarkdownTable pictures = batch_table(), streams = batch_table();
     for (const TriedScene* scene : for_batches(scenes)) {
-        bench_pictures(device, PreparedScene(*scene, executor), limits, options, pictures, report);
+        bench_pictures(device, PreparedScene(*scene, executor), limits, options, executor, pictures, report);
         bench_streams(device, *scene, limits, options, executor, streams, report);
     }
     report.section("Pictures as batches",

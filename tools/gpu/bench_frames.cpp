@@ -59,36 +59,37 @@ struct Entry {
     int passes = 1;  ///< over all views a round, so that a round is long enough to be measured
 };
 
-void draw_all(const Entry& entry, const std::vector<TriedView>& views, int side) {
+void draw_all(const Entry& entry, std::size_t views) {
     for (int pass = 0; pass < entry.passes; ++pass)
-        for (const TriedView& view : views) entry.maker->draw(view.frame(side), view.start, side);
+        for (std::size_t view = 0; view < views; ++view) entry.maker->draw(view);
 }
 
 /// Enough passes for two milliseconds.
-int passes_for(render::cuda::Device& device, const Entry& entry, const std::vector<TriedView>& views, int side) {
+int passes_for(render::cuda::Device& device, const Entry& entry, std::size_t views) {
     if (!device.is_card()) return 1;
-    draw_all(entry, views, side);
-    const double seconds = device.seconds_of([&] { draw_all(entry, views, side); });
+    draw_all(entry, views);
+    const double seconds = device.seconds_of([&] { draw_all(entry, views); });
     return std::clamp(static_cast<int>(std::ceil(2e-3 / std::max(seconds, 1e-6))), 1, 64);
 }
 
 /// One task of one scene by all ways that have it.
 void bench_task(render::cuda::Device& device, const PreparedScene& scene, const FrameTask& task, const Limits& limits,
-                const BenchOptions& options, MarkdownTable& table, MarkdownTable& memory) {
+                const BenchOptions& options, const accel::Executor& executor, MarkdownTable& table,
+                MarkdownTable& memory) {
     const std::vector<TriedView>& views = scene.tried().views;
     std::vector<Entry> entries;
     for (const FrameWay& way : frame_ways())
-        if (auto maker = way.open(device, scene.frames(), task)) entries.push_back({&way, std::move(maker)});
+        if (auto maker = way.open(device, scene.frames(), task, executor)) entries.push_back({&way, std::move(maker)});
     std::vector<std::function<void()>> competitors;
     for (Entry& entry : entries) {
-        entry.passes = passes_for(device, entry, views, options.side);
-        competitors.push_back([&] { draw_all(entry, views, options.side); });
+        entry.maker->set_views(views, options.side);
+        entry.passes = passes_for(device, entry, views.size());
+        competitors.push_back([&] { draw_all(entry, views.size()); });
     }
     const DeviceContest contest(device, options.rounds, competitors, 1.5);
     const double pixels = static_cast<double>(options.side) * options.side;
     for (std::size_t k = 0; k < entries.size(); ++k) {
-        const auto one = [&] { entries[k].maker->draw(views[0].frame(options.side), views[0].start, options.side); };
-        const std::optional<double> waited = seconds_with_waiting(device, 9, one);
+        const std::optional<double> waited = seconds_with_waiting(device, 9, [&] { entries[k].maker->draw(0); });
         std::optional<double> frames, above, spread = contest.spread(k);
         if (const auto seconds = contest.seconds(k)) {
             frames = static_cast<double>(views.size()) * entries[k].passes / *seconds;
@@ -116,7 +117,7 @@ void bench_frames(render::cuda::Device& device, const std::vector<TriedScene>& s
         for (const FrameTask& task : frame_tasks()) {
             if (!prepared.has(task) || options.is_late(report, "frames of " + scene.name + ", " + task.name)) continue;
             report.progress("frames of " + scene.name + ": " + task.name);
-            bench_task(device, prepared, task, limits, options, table, memory);
+            bench_task(device, prepared, task, limits, options, executor, table, memory);
         }
     }
     report.section("Frames of " + std::to_string(options.side) + " x " + std::to_string(options.side) + " pixels",

@@ -70,15 +70,16 @@ std::vector<Agreement> check_frames(render::cuda::Device& device, const TriedSce
         if (!prepared.has(task)) continue;
         std::map<render::ObjectAccelKind, std::vector<render::Framebuffer>> expected;
         for (const FrameWay& way : frame_ways()) {
-            const std::unique_ptr<FrameMaker> maker = way.open(device, shared, task);
+            const std::unique_ptr<FrameMaker> maker = way.open(device, shared, task, executor);
             if (maker == nullptr) continue;
             std::vector<render::Framebuffer>& wanted = expected[way.inside];
             if (wanted.empty())
                 wanted = expected_frames(shared, task, views, options.side, inside.of(way.inside), executor);
+            maker->set_views(views, options.side);
             PictureDifference all;
             for (std::size_t v = 0; v < views.size(); ++v) {
                 render::Framebuffer actual;
-                maker->draw(views[v].frame(options.side), views[v].start, options.side);
+                maker->draw(v);
                 maker->read(actual);
                 PictureDifference found = difference(wanted[v], actual, task.lamps ? 2 : 1);
                 if (!found.first.empty()) found.first += " of view " + views[v].name;

@@ -113,8 +113,24 @@ int run_card(const Arguments& arguments, std::ostream& out) {
     return 0;
 }
 
+/// Those that can be read; what is wrong with the others goes to `log`. \throws InputError where none is left
+std::vector<TriedScene> opened_scenes(const Arguments& arguments, std::ostream& log) {
+    if (arguments.scenes.empty()) refuse("Name the scenes.");
+    std::vector<TriedScene> scenes;
+    for (const std::filesystem::path& file : arguments.scenes) {
+        try {
+            scenes.push_back(open_tried_scene(file));
+        } catch (const InputError& error) {
+            log << "left out: " << error.located() << std::endl;
+        } catch (const IoError& error) {
+            log << "left out: " << error.what() << std::endl;
+        }
+    }
+    if (scenes.empty()) refuse("None of these scenes can be read.");
+    return scenes;
+}
+
 int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) {
-    if (arguments.scenes.empty()) refuse("Name the scenes that are to be checked.");
     const std::unique_ptr<accel::Executor> executor = render::make_executor();
     const std::unique_ptr<render::cuda::Device> device = opened(arguments, *executor);
     CheckOptions options;
@@ -126,9 +142,8 @@ int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     MarkdownTable table({"scene", "what", "by", "asked", "the same", "at edges", "leaks", "largest error of a distance",
                          "same means", "verdict"});
     std::vector<std::string> faults;
-    for (const std::filesystem::path& file : arguments.scenes) {
-        log << "checking " << file.string() << std::endl;
-        const TriedScene scene = open_tried_scene(file);
+    for (const TriedScene& scene : opened_scenes(arguments, log)) {
+        log << "checking " << scene.name << std::endl;
         std::vector<Agreement> rows = check_frames(*device, scene, options, *executor);
         for (Agreement& row : check_streams(*device, scene, options, *executor)) rows.push_back(std::move(row));
         for (const Agreement& row : rows) {
@@ -143,13 +158,6 @@ int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     for (const std::string& fault : faults) out << "- " << fault << "\n";
     out << (faults.empty() ? "All answers are right.\n" : "Some answers are wrong.\n");
     return faults.empty() ? 0 : 1;
-}
-
-std::vector<TriedScene> opened_scenes(const Arguments& arguments) {
-    if (arguments.scenes.empty()) refuse("Name the scenes that are to be measured.");
-    std::vector<TriedScene> scenes;
-    for (const std::filesystem::path& file : arguments.scenes) scenes.push_back(open_tried_scene(file));
-    return scenes;
 }
 
 BenchOptions bench_options(const Arguments& arguments, const render::cuda::Device& device) {
@@ -178,7 +186,7 @@ int run_bench(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     const std::unique_ptr<accel::Executor> executor = render::make_executor();
     const std::unique_ptr<render::cuda::Device> device = opened(arguments, *executor);
     const BenchOptions options = bench_options(arguments, *device);
-    const std::vector<TriedScene> scenes = opened_scenes(arguments);
+    const std::vector<TriedScene> scenes = opened_scenes(arguments, log);
     out << "# Measured on " << device->name() << "\n\n";
     if (device->is_card()) run_card(arguments, out);
     else out << "These cores are no card: everything was run once, and nothing was measured.\n";

@@ -17,9 +17,7 @@ public:
     Pixels(Device& device, const FrameScene& scene, const FrameTask& task)
         : pictures_(device, scene.scene, {.mirror_floor = task.mirror_floor}) {}
 
-    void draw(const render::CameraFrame& frame, accel::CellId start, int side) override {
-        pictures_.draw(frame, start, side, side);
-    }
+    void draw(std::size_t view) override { pictures_.draw(frames_[view], starts_[view], side_, side_); }
     void read(render::Framebuffer& framebuffer) override { pictures_.read(framebuffer); }
     std::size_t bytes() const override { return pictures_.bytes(); }
 
@@ -27,7 +25,8 @@ private:
     render::cuda::Pictures pictures_;
 };
 
-std::unique_ptr<FrameMaker> open_pixels(Device& device, const FrameScene& scene, const FrameTask& task) {
+std::unique_ptr<FrameMaker> open_pixels(Device& device, const FrameScene& scene, const FrameTask& task,
+                                        const accel::Executor& /*executor*/) {
     if (task.with_objects || task.lamps) return nullptr;
     return std::make_unique<Pixels>(device, scene, task);
 }
@@ -43,12 +42,12 @@ public:
         job_.tiles = tiles;
     }
 
-    void draw(const render::CameraFrame& frame, accel::CellId start, int side) override {
-        const std::size_t pixels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    void draw(std::size_t view) override {
+        const std::size_t pixels = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
         if (image_.size() != pixels) image_ = render::cuda::Buffer<std::uint32_t>(device_, pixels);
-        job_.camera = frame;
-        job_.start = start;
-        job_.width = job_.height = side;
+        job_.camera = frames_[view];
+        job_.start = starts_[view];
+        job_.width = job_.height = side_;
         job_.rgba = image_.data();
         draw_packets(device_, job_);
     }
@@ -67,7 +66,8 @@ private:
 };
 
 template <int largest, int smallest>
-std::unique_ptr<FrameMaker> open_packets(Device& device, const FrameScene& scene, const FrameTask& task) {
+std::unique_ptr<FrameMaker> open_packets(Device& device, const FrameScene& scene, const FrameTask& task,
+                                         const accel::Executor& /*executor*/) {
     if (task.with_objects || task.lamps) return nullptr;
     return std::make_unique<Packets>(device, scene, task, render::cuda::PacketTiles{largest, smallest});
 }

@@ -81,6 +81,21 @@ std::vector<render::Camera> around(const accel::SceneView& scene) {
     return cameras;
 }
 
+/// From the corners of the site, a person's height and a first floor's above the ground.
+std::vector<render::Camera> from_corners(const accel::SceneView& scene) {
+    const auto& low = scene.locator_nodes[0].low;
+    const auto& high = scene.locator_nodes[0].high;
+    std::vector<render::Camera> cameras;
+    for (int i = 0; i < 4; ++i) {
+        render::Camera camera;
+        camera.eye = {i % 2 == 0 ? low[0] + 0.5 : high[0] - 0.5, i / 2 == 0 ? low[1] + 0.5 : high[1] - 0.5,
+                      low[2] + (i % 2 == 0 ? 1.7 : 5)};
+        camera.target = {0.5 * (double(low[0]) + high[0]), 0.5 * (double(low[1]) + high[1]), low[2] + 1.5};
+        cameras.push_back(camera);
+    }
+    return cameras;
+}
+
 void write_floors(const std::filesystem::path& folder, const std::filesystem::path& examples) {
     struct Floor {
         const char* name;  ///< of its plan and its tour
@@ -96,9 +111,8 @@ void write_floors(const std::filesystem::path& folder, const std::filesystem::pa
         const FurnishedFloor furnished = furnished_floor(floor.name, rooms, {.detail = 4});
         write_scene(folder, std::string("furnished-") + floor.rooms, furnished.scene, cameras, hanging(floor.lamps));
         if (std::string(floor.rooms) != "46") continue;
-        std::vector<render::Camera> outside = floor_views(bare.view(), 4, 1024);
-        for (const char* view : {"exterior", "aerial"})
-            outside.push_back(named_view(bare.view(), view, 1024, 1024).camera);
+        std::vector<render::Camera> outside = from_corners(bare.view());
+        outside.push_back(named_view(bare.view(), "exterior", 1024, 1024).camera);
         write_scene(folder, "outside-46", bare, outside, "lamps 2500 outside\n");
     }
     const accel::Scene large = scene_of(rooms_of(plans::generate({.rooms = 1000})));

@@ -10,12 +10,13 @@ using render::cuda::Device;
 using render::cuda::DeviceHits;
 using render::cuda::DeviceRays;
 using render::cuda::DeviceSegments;
+using render::cuda::DeviceStreamOptions;
 using render::cuda::InsideKind;
 
 /// Our own streams.
 class Walks : public StreamMaker {
 public:
-    Walks(Device& device, const accel::SceneView& scene, const render::cuda::DeviceStreamOptions& options)
+    Walks(Device& device, const accel::SceneView& scene, const DeviceStreamOptions& options)
         : stream_(device, scene, options) {}
 
     void nearest(const DeviceRays& rays, const DeviceHits& hits) override { stream_.nearest(rays, hits); }
@@ -26,23 +27,49 @@ private:
     render::cuda::DeviceStream stream_;
 };
 
-template <InsideKind inside>
-std::unique_ptr<StreamMaker> open_walks(Device& device, const accel::SceneView& scene, bool with_objects,
-                                        const accel::Executor& executor) {
-    if (!with_objects && inside != InsideKind::Octree) return nullptr;  // bare rooms are the same for both
-    render::cuda::DeviceStreamOptions options;
-    if (with_objects) options.inside = inside;
-    options.executor = &executor;
-    return std::make_unique<Walks>(device, scene, options);
+/// Where a schedule is at home.
+enum class In { BareAndFurnished, Furnished };
+
+StreamWay walks(const std::string& name, In rooms, InsideKind inside, DeviceStreamOptions options) {
+    const auto open = [=](Device& device, const accel::SceneView& scene, bool with_objects,
+                          const accel::Executor& executor) -> std::unique_ptr<StreamMaker> {
+        if (!with_objects && rooms == In::Furnished) return nullptr;
+        DeviceStreamOptions asked = options;
+        if (with_objects) asked.inside = inside;
+        asked.executor = &executor;
+        return std::make_unique<Walks>(device, scene, asked);
+    };
+    const auto kind = inside == InsideKind::Octree ? render::ObjectAccelKind::Octree : render::ObjectAccelKind::Plain;
+    return {name, true, true, kind, open};
 }
 
 }  // namespace
 
 const std::vector<StreamWay>& stream_ways() {
-    using render::ObjectAccelKind;
+    using render::cuda::RayOrder;
+    using render::cuda::SectionLayout;
+    using render::cuda::StreamSchedule;
+    constexpr InsideKind octree = InsideKind::Octree, bvh = InsideKind::Bvh;
     static const std::vector<StreamWay> ways = {
-        {"cells, a thread a ray", true, true, ObjectAccelKind::Octree, open_walks<InsideKind::Octree>},
-        {"cells, BVHs inside of objects", true, true, ObjectAccelKind::Plain, open_walks<InsideKind::Bvh>},
+        walks("cells: whole", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Whole}),
+        walks("cells: deferred", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Deferred}),
+        walks("cells: deferred, lines by columns", In::BareAndFurnished, octree,
+              {.schedule = StreamSchedule::Deferred, .layout = SectionLayout::Columns}),
+        walks("cells: deferred, lines by points", In::BareAndFurnished, octree,
+              {.schedule = StreamSchedule::Deferred, .layout = SectionLayout::Points}),
+        walks("cells: deferred, sorted by cell", In::BareAndFurnished, octree,
+              {.order = RayOrder::ByCell, .schedule = StreamSchedule::Deferred}),
+        walks("cells: deferred, along a Morton curve", In::BareAndFurnished, octree,
+              {.order = RayOrder::Morton, .schedule = StreamSchedule::Deferred}),
+        walks("cells: persistent", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Persistent}),
+        walks("cells: persistent, refilled at 4", In::BareAndFurnished, octree,
+              {.schedule = StreamSchedule::Persistent, .refill = 4}),
+        walks("cells: compacted", In::Furnished, octree, {.schedule = StreamSchedule::Compacted}),
+        walks("cells: compacted, questions unsorted", In::Furnished, octree,
+              {.schedule = StreamSchedule::Compacted, .sorts_questions = false}),
+        walks("cells: deferred, BVHs inside", In::Furnished, bvh, {.schedule = StreamSchedule::Deferred}),
+        walks("cells: persistent, BVHs inside", In::Furnished, bvh, {.schedule = StreamSchedule::Persistent}),
+        walks("cells: compacted, BVHs inside", In::Furnished, bvh, {.schedule = StreamSchedule::Compacted}),
     };
     return ways;
 }

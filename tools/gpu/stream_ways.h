@@ -3,7 +3,9 @@
 // stands in one table (stream_ways.cpp), a line each.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "accel/parallel_for.h"
@@ -25,13 +27,14 @@ public:
 };
 
 struct StreamWay {
-    const char* name;
+    std::string name;
     bool is_ours;                    ///< else a baseline
     bool is_exact;                   ///< the scalar tracer's formulas in their order: on the host the same bits
     render::ObjectAccelKind inside;  ///< with which structures inside of objects the scalar tracer is to be compared
     /// nullptr: this way has no such rooms.
-    std::unique_ptr<StreamMaker> (*open)(render::cuda::Device& device, const accel::SceneView& scene, bool with_objects,
-                                         const accel::Executor& executor);
+    std::function<std::unique_ptr<StreamMaker>(render::cuda::Device& device, const accel::SceneView& scene,
+                                               bool with_objects, const accel::Executor& executor)>
+        open;
 };
 
 [[nodiscard]] const std::vector<StreamWay>& stream_ways();
