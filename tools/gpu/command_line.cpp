@@ -94,6 +94,8 @@ Arguments parsed(const std::vector<std::string>& words) {
             arguments.scenes.emplace_back(word);
         }
     }
+    if ((arguments.command == "check" || arguments.command == "bench") && arguments.scenes.empty())
+        refuse("Name the scenes.");
     return arguments;
 }
 
@@ -115,7 +117,6 @@ int run_card(const Arguments& arguments, std::ostream& out) {
 
 /// Those that can be read; what is wrong with the others goes to `log`. \throws InputError where none is left
 std::vector<TriedScene> opened_scenes(const Arguments& arguments, std::ostream& log) {
-    if (arguments.scenes.empty()) refuse("Name the scenes.");
     std::vector<TriedScene> scenes;
     for (const std::filesystem::path& file : arguments.scenes) {
         try {
