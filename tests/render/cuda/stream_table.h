@@ -27,18 +27,20 @@ struct Answers {
     std::vector<accel::ObjectId> object;
     std::vector<std::uint32_t> triangle;
 
+    static Answers of(std::size_t count) {
+        return {std::vector<float>(count),           std::vector<accel::SourceFaceId>(count),
+                std::vector<accel::CellId>(count),   std::vector<render::WalkStatus>(count),
+                std::vector<accel::ObjectId>(count), std::vector<std::uint32_t>(count)};
+    }
     [[nodiscard]] std::size_t size() const { return status.size(); }
+    [[nodiscard]] render::HitColumns columns() { return {distance, source_face, cell, status, object, triangle}; }
 };
 
 /// Those of the scalar tracer. rays: see RayTable
 inline Answers scalar_answers(const accel::SceneView& scene, const RayTable& rays,
                               const render::ObjectTracer* objects = nullptr) {
-    const std::size_t n = rays.size();
-    Answers a = {std::vector<float>(n),           std::vector<accel::SourceFaceId>(n),
-                 std::vector<accel::CellId>(n),   std::vector<render::WalkStatus>(n),
-                 std::vector<accel::ObjectId>(n), std::vector<std::uint32_t>(n)};
-    render::nearest(scene, rays.columns(), {a.distance, a.source_face, a.cell, a.status, a.object, a.triangle},
-                    {.tracer = render::Tracer::Scalar, .objects = objects});
+    Answers a = Answers::of(rays.size());
+    render::nearest(scene, rays.columns(), a.columns(), {.tracer = render::Tracer::Scalar, .objects = objects});
     return a;
 }
 
@@ -69,7 +71,9 @@ public:
     [[nodiscard]] render::cuda::DeviceHits hits() const {
         return {distance_.data(), face_.data(), cell_.data(), status_.data(), object_.data(), triangle_.data()};
     }
-    [[nodiscard]] Answers ask(DeviceStream& stream) const {
+    /// stream: whoever answers as DeviceStream does
+    template <class Stream>
+    [[nodiscard]] Answers ask(Stream& stream) const {
         stream.nearest(rays(), hits());
         return {distance_.read(), face_.read(), cell_.read(), status_.read(), object_.read(), triangle_.read()};
     }
@@ -91,16 +95,19 @@ struct SegmentTable {
     std::vector<accel::CellId> from_cell, to_cell;
 
     [[nodiscard]] std::size_t size() const { return from_cell.size(); }
+    [[nodiscard]] render::SegmentColumns columns(bool cells_known) const {
+        render::SegmentColumns all = {from[0], from[1], from[2], to[0], to[1], to[2], from_cell, {}};
+        if (cells_known) all.to_cell = to_cell;
+        return all;
+    }
     [[nodiscard]] std::vector<std::uint8_t> scalar_answers(const accel::SceneView& scene, bool cells_known,
                                                            const render::ObjectTracer* objects = nullptr) const {
         std::vector<std::uint8_t> seen(size(), 77);
-        render::visible(scene,
-                        {from[0], from[1], from[2], to[0], to[1], to[2], from_cell,
-                         cells_known ? std::span<const accel::CellId>(to_cell) : std::span<const accel::CellId>()},
-                        seen, {.tracer = render::Tracer::Scalar, .objects = objects});
+        render::visible(scene, columns(cells_known), seen, {.tracer = render::Tracer::Scalar, .objects = objects});
         return seen;
     }
-    [[nodiscard]] std::vector<std::uint8_t> ask(Device& device, DeviceStream& stream, bool cells_known) const {
+    template <class Stream>
+    [[nodiscard]] std::vector<std::uint8_t> ask(Device& device, Stream& stream, bool cells_known) const {
         const Buffer<float> p[3] = {{device, from[0]}, {device, from[1]}, {device, from[2]}};
         const Buffer<float> q[3] = {{device, to[0]}, {device, to[1]}, {device, to[2]}};
         const Buffer<accel::CellId> p_cell(device, from_cell), q_cell(device, to_cell);
