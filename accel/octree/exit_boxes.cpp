@@ -3,21 +3,16 @@
 #include <algorithm>
 
 namespace enfilade::accel {
-namespace {
 
-/// As fine as the leaves are, but no finer than what so many leaves deserve (256 cells a side take 68 MB).
-std::uint32_t grid_levels(const Octree& tree) {
+std::uint32_t exit_grid_levels(std::uint32_t depth, std::size_t leaves) {
     constexpr std::uint32_t finest = 8;
-    std::uint32_t levels = std::min(tree.frame.depth, 4u);
-    while (levels < std::min(tree.frame.depth, finest) && (std::size_t{1} << 3 * levels) < 16 * tree.leaves.size())
-        ++levels;
+    std::uint32_t levels = std::min(depth, 4u);
+    while (levels < std::min(depth, finest) && (std::size_t{1} << 3 * levels) < 16 * leaves) ++levels;
     return levels;
 }
 
-}  // namespace
-
 FullCells::FullCells(const Octree& tree, const Executor& executor) {
-    const std::uint32_t levels = grid_levels(tree);
+    const std::uint32_t levels = exit_grid_levels(tree.frame.depth, tree.leaves.size());
     side_ = 1u << levels;
     shift_ = tree.frame.depth - levels;
     const std::size_t row = side_ + 1, slice = row * row;
@@ -49,43 +44,6 @@ FullCells::FullCells(const Octree& tree, const Executor& executor) {
         for (std::size_t z = 1; z < row; ++z)
             for (std::size_t i = begin; i < end; ++i) sums_[z * slice + i] += sums_[(z - 1) * slice + i];
     });
-}
-
-std::array<std::uint32_t, 3> exit_extent(const Octree& tree, const OctreeLeaf& leaf, const FullCells& cells,
-                                         std::uint32_t octant) {
-    const std::uint32_t width = tree.width(leaf);
-    std::array<std::uint32_t, 3> extent = {width, width, width};
-    if (width >> cells.shift() == 0) return extent;  // finer than the grid
-    FullCells::Place low, high;
-    for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = leaf.low[k] >> cells.shift();
-        high[k] = low[k] + (width >> cells.shift());
-    }
-    // By turns along each axis, twice as far each time, until something is in the way.
-    std::array<std::uint32_t, 3> stride = {1, 1, 1};
-    bool is_growing = true;
-    while (is_growing) {
-        is_growing = false;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const bool is_up = (octant >> k & 1u) != 0;
-            while (stride[k] != 0) {
-                const std::uint32_t room = is_up ? cells.cells_a_side() - high[k] : low[k];
-                const std::uint32_t by = std::min(stride[k], room);
-                FullCells::Place from = low, to = high;
-                (is_up ? from[k] : to[k]) = is_up ? high[k] : low[k];
-                (is_up ? to[k] : from[k]) = is_up ? high[k] + by : low[k] - by;
-                if (by != 0 && cells.are_empty(from, to)) {
-                    (is_up ? high[k] : low[k]) = is_up ? to[k] : from[k];
-                    stride[k] *= 2;
-                    is_growing = true;
-                    break;
-                }
-                stride[k] = by == 0 || stride[k] == 1 ? 0 : 1;
-            }
-        }
-    }
-    for (std::size_t k = 0; k < 3; ++k) extent[k] = (high[k] - low[k]) << cells.shift();
-    return extent;
 }
 
 }  // namespace enfilade::accel

@@ -6,16 +6,6 @@
 namespace enfilade::accel {
 namespace {
 
-/// As many levels as a table no larger than the leaves has.
-std::uint32_t top_levels(const Octree& tree) {
-    constexpr std::uint32_t most = 5;
-    std::uint32_t levels = tree.frame.depth & 1u;
-    while (levels + 2 <= std::min(most, tree.frame.depth) &&
-           (std::size_t{1} << 3 * (levels + 2)) <= 8 * tree.leaves.size())
-        levels += 2;
-    return levels;
-}
-
 class Filler {
 public:
     Filler(const Octree& tree, JumpTable& table) : tree_(tree), table_(table) {}
@@ -45,10 +35,16 @@ private:
 
 }  // namespace
 
+std::uint32_t jump_levels_for(std::uint32_t depth, std::size_t leaves, std::uint32_t most) {
+    std::uint32_t levels = depth & 1u;
+    while (levels + 2 <= std::min(most, depth) && (std::size_t{1} << 3 * (levels + 2)) <= 8 * leaves) levels += 2;
+    return levels;
+}
+
 JumpTable build_jump_table(const Octree& tree, std::uint32_t levels) {
     if (tree.leaves.size() > JumpEntry::most_leaves) throw std::length_error("an octree of more than 2^26 leaves");
     JumpTable table;
-    table.levels = levels == automatic_jump_levels ? top_levels(tree) : levels;
+    table.levels = levels == automatic_jump_levels ? jump_levels_for(tree.frame.depth, tree.leaves.size()) : levels;
     if (table.levels > tree.frame.depth || table.levels > 9 || (tree.frame.depth - table.levels) % 2 != 0)
         throw std::invalid_argument("a jump table's flat part is a whole number of nodes above the deepest leaves");
     table.entries.resize(std::size_t{1} << 3 * table.levels);

@@ -28,6 +28,8 @@ struct JumpTable {
 
 /// A table no larger than the leaves, with at most five levels at the top.
 inline constexpr std::uint32_t automatic_jump_levels = 0xffffffffu;
+/// Those levels. most: instead of five
+[[nodiscard]] std::uint32_t jump_levels_for(std::uint32_t depth, std::size_t leaves, std::uint32_t most = 5);
 
 /// levels: at the top. \throws std::length_error where the tree has more than JumpEntry::most_leaves leaves;
 /// std::invalid_argument where the tree's depth less `levels` is not even, or negative, or `levels` above 9

@@ -42,25 +42,27 @@ Box box_of(const MeshPart& mesh, const Executor& executor) {
     return boxes.front();
 }
 
-/// The cube about a box, wider by a little: so planes of symmetry, where many meshes have faces and whole fans of
-/// triangles meet, are not planes between cells. Of boxes too small for it in float the lattice is coarser.
-OctreeFrame cube_about(const Box& box, std::uint32_t depth) {
+OctreeFrame cube_of(const MeshPart& mesh, std::uint32_t depth, const Executor& executor) {
+    const Box box = box_of(mesh, executor);
+    return cube_about(box.low, box.high, std::min(depth, largest_octree_depth));
+}
+
+}  // namespace
+
+OctreeFrame cube_about(const std::array<float, 3>& low, const std::array<float, 3>& high, std::uint32_t depth) {
     OctreeFrame frame;
     frame.depth = depth;
-    frame.low = box.low;
+    frame.low = low;
     double size = 0;
-    for (std::size_t k = 0; k < 3; ++k) size = std::max(size, double{box.high[k]} - box.low[k]);
+    for (std::size_t k = 0; k < 3; ++k) size = std::max(size, double{high[k]} - low[k]);
     const double widened = size * (1 + 0x1p-8);
     const double cells = widened > 0 ? std::min(double{frame.side()} / widened, 0x1p126) : 1.0;
     frame.cells_a_unit.fill(static_cast<float>(cells));
     return frame;
 }
 
-}  // namespace
-
 LatticeTriangles::LatticeTriangles(const MeshPart& mesh, const OctreeOptions& options, const Executor& executor)
-    : LatticeTriangles(mesh, cube_about(box_of(mesh, executor), std::min(options.depth, largest_octree_depth)),
-                       executor) {}
+    : LatticeTriangles(mesh, cube_of(mesh, options.depth, executor), executor) {}
 
 LatticeTriangles::LatticeTriangles(const MeshPart& mesh, const OctreeFrame& frame, const Executor& executor)
     : frame_(frame), corners_(mesh.used.size()) {
@@ -69,8 +71,7 @@ LatticeTriangles::LatticeTriangles(const MeshPart& mesh, const OctreeFrame& fram
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::array<float, 3> p = place(mesh, mesh.triangles[mesh.used[i]].corners[c]);
                 for (std::size_t k = 0; k < 3; ++k)
-                    corners_[i][3 * c + k] =
-                        static_cast<float>((double{p[k]} - double{frame_.low[k]}) * double{frame_.cells_a_unit[k]});
+                    corners_[i][3 * c + k] = in_lattice(p[k], frame_.low[k], frame_.cells_a_unit[k]);
             }
         }
     });
@@ -82,7 +83,7 @@ LatticeTriangles::LatticeTriangles(const MeshPart& mesh, const OctreeFrame& fram
 void LatticeTriangles::find_octants(const OctreeNode& node, std::span<const std::uint32_t> listed,
                                     std::uint8_t* octants) const {
     const auto half = std::ldexp(0.25f, static_cast<int>(frame_.depth - node.level));
-    const float slack = static_cast<float>(octree_slack * 1.5) * frame_.side();
+    const float slack = octant_slack(frame_.side());
     std::array<float, 3> centre;
     for (std::size_t k = 0; k < 3; ++k) centre[k] = static_cast<float>(node.low[k]) + 2 * half;
     TriangleBlock block;

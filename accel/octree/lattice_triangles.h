@@ -21,6 +21,19 @@ struct OctreeNode {
     }
 };
 
+/// The cube about a mesh's box, wider by a little: so planes of symmetry, where many meshes have faces and whole fans
+/// of triangles meet, are not planes between cells. Of boxes too small for it in float the lattice is coarser.
+[[nodiscard]] OctreeFrame cube_about(const std::array<float, 3>& low, const std::array<float, 3>& high,
+                                     std::uint32_t depth);
+
+/// A coordinate in the lattice.
+[[nodiscard]] ENFILADE_HD float in_lattice(float p, float low, float cells_a_unit) {
+    return static_cast<float>((double{p} - double{low}) * double{cells_a_unit});
+}
+
+/// By how much an octant is wider to each side than its half, for LatticeTriangles::find_octants. side: of the lattice
+[[nodiscard]] ENFILADE_HD float octant_slack(float side) { return static_cast<float>(octree_slack * 1.5) * side; }
+
 /// Corners in the lattice, rounded to float: by no more than 2^-25 of the root's side.
 class LatticeTriangles {
 public:

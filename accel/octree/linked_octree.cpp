@@ -50,7 +50,8 @@ LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Execu
             LinkedLeaf& to = leaves_[i];
             const std::uint32_t unit = exit_unit(tree.frame.depth - from.level);
             for (std::uint32_t octant = 0; octant < 8; ++octant) {
-                const std::array<std::uint32_t, 3> extent = exit_extent(tree, from, cells, octant);
+                const std::array<std::uint32_t, 3> extent =
+                    exit_extent(from.low, tree.width(from), cells.view(), octant);
                 for (std::size_t k = 0; k < 3; ++k)
                     to.exits[octant][k] = static_cast<std::uint8_t>(std::min(extent[k] >> unit, 255u));
             }
@@ -72,6 +73,22 @@ LinkedOctree::LinkedOctree(const Octree& tree, const MeshPart& mesh, const Execu
     });
 }
 
+LatticeBox lattice_box(const OctreeFrame& frame, const float* low, const float* high) {
+    LatticeBox box = {};
+    const float slack = static_cast<float>(octree_slack) * frame.side();
+    for (std::size_t k = 0; k < 3; ++k) {
+        box.size = std::max(box.size, high[k] - low[k]);
+        box.origin[k] = frame.low[k];
+        box.cells_a_unit[k] = frame.cells_a_unit[k];
+        box.low[k] = low[k];
+        box.high[k] = high[k];
+        box.from[k] = (low[k] - frame.low[k]) * frame.cells_a_unit[k] - slack;
+        box.to[k] = (high[k] - frame.low[k]) * frame.cells_a_unit[k] + slack;
+    }
+    box.side = frame.side();
+    return box;
+}
+
 OctreeView LinkedOctree::view() const {
     OctreeView view = {frame_,
                        root_,
@@ -87,17 +104,7 @@ OctreeView LinkedOctree::view() const {
                        bricks_.masks.data(),
                        bricks_.first.data(),
                        bricks_.entries.data()};
-    const float slack = static_cast<float>(octree_slack) * frame_.side();
-    for (std::size_t k = 0; k < 3; ++k) {
-        view.box.size = std::max(view.box.size, high_[k] - low_[k]);
-        view.box.origin[k] = frame_.low[k];
-        view.box.cells_a_unit[k] = frame_.cells_a_unit[k];
-        view.box.low[k] = low_[k];
-        view.box.high[k] = high_[k];
-        view.box.from[k] = (low_[k] - frame_.low[k]) * frame_.cells_a_unit[k] - slack;
-        view.box.to[k] = (high_[k] - frame_.low[k]) * frame_.cells_a_unit[k] + slack;
-    }
-    view.box.side = frame_.side();
+    view.box = lattice_box(frame_, low_, high_);
     return view;
 }
 

@@ -34,6 +34,9 @@ struct alignas(16) LatticeBox {
     float side;                        ///< of the lattice
 };
 
+/// low, high: of the triangles, in the mesh's own space
+[[nodiscard]] LatticeBox lattice_box(const OctreeFrame& frame, const float* low, const float* high);
+
 /// Plain pointers, safe to copy to a device.
 struct OctreeView {
     OctreeFrame frame;

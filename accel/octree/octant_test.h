@@ -1,9 +1,11 @@
 #pragma once
 // Inside of accel/octree: which eighths of a cube triangles meet, sixteen triangles at a time. Plain loops over plain
-// arrays, without branches, that compilers turn into registers.
+// arrays, without branches, that compilers turn into registers; or one by one, by the same functions, on a device.
 
 #include <cmath>
 #include <cstdint>
+
+#include "accel/host_device.h"
 
 namespace enfilade::accel::detail {
 
@@ -13,26 +15,28 @@ struct TriangleBlock {
     float at[3][3][size];  ///< [corner][axis][triangle]
 };
 
-[[nodiscard]] inline float least(float a, float b) { return a < b ? a : b; }
-[[nodiscard]] inline float most(float a, float b) { return a < b ? b : a; }
+[[nodiscard]] ENFILADE_HD float least(float a, float b) { return a < b ? a : b; }
+[[nodiscard]] ENFILADE_HD float most(float a, float b) { return a < b ? b : a; }
 
 /// The bits where the condition holds; written so that no branch comes of it.
-[[nodiscard]] inline std::uint32_t bits_where(bool holds, std::uint32_t bits) {
+[[nodiscard]] ENFILADE_HD std::uint32_t bits_where(bool holds, std::uint32_t bits) {
     return (0u - static_cast<std::uint32_t>(holds)) & bits;
+}
+
+/// Octants on the sides that a triangle's box reaches along one axis. a, b, c: its corners there
+[[nodiscard]] ENFILADE_HD std::uint32_t halves_of_box(float a, float b, float c, int axis, float slack) {
+    const std::uint32_t lower = axis == 0 ? 0x55 : axis == 1 ? 0x33 : 0x0f;
+    const float low = least(least(a, b), c), high = most(most(a, b), c);
+    return bits_where(low <= slack, lower) | bits_where(high >= -slack, lower ^ 0xffu);
 }
 
 /// By the triangles' boxes alone: which halves they reach along each axis, as octants. Returns whether all lie in one
 /// octant each, so that no more need be asked.
 [[nodiscard]] inline bool octants_of_boxes(const TriangleBlock& p, float slack, std::uint32_t* octants) {
-    constexpr std::uint32_t lower[3] = {0x55, 0x33, 0x0f}, upper[3] = {0xaa, 0xcc, 0xf0};
     std::uint32_t shared = 0;
     for (std::uint32_t i = 0; i < TriangleBlock::size; ++i) {
         std::uint32_t mask = 0xff;
-        for (int k = 0; k < 3; ++k) {
-            const float low = least(least(p.at[0][k][i], p.at[1][k][i]), p.at[2][k][i]);
-            const float high = most(most(p.at[0][k][i], p.at[1][k][i]), p.at[2][k][i]);
-            mask &= bits_where(low <= slack, lower[k]) | bits_where(high >= -slack, upper[k]);
-        }
+        for (int k = 0; k < 3; ++k) mask &= halves_of_box(p.at[0][k][i], p.at[1][k][i], p.at[2][k][i], k, slack);
         octants[i] = mask;
         shared |= mask & (mask - 1u);
     }
@@ -51,7 +55,7 @@ struct SquareGaps {
 
 /// One separating axis: the normal of the edge pq, seen along an axis (the cross product of both). Any normal is a true
 /// test, whatever rounding did to it, for all three corners are measured along it.
-inline void widen_gaps(SeenCorner p, SeenCorner q, SeenCorner r, float half, float reach, SquareGaps& gaps) {
+ENFILADE_HD void widen_gaps(SeenCorner p, SeenCorner q, SeenCorner r, float half, float reach, SquareGaps& gaps) {
     const float a = q.v - p.v, b = p.u - q.u;
     const float at_p = a * p.u + b * p.v, at_q = a * q.u + b * q.v, at_r = a * r.u + b * r.v;
     const float outwards = at_r > at_p ? -1.0f : 1.0f;
@@ -65,7 +69,7 @@ inline void widen_gaps(SeenCorner p, SeenCorner q, SeenCorner r, float half, flo
     gaps.high_high = most(gaps.high_high, sum - border);
 }
 
-[[nodiscard]] inline SquareGaps square_gaps(SeenCorner p, SeenCorner q, SeenCorner r, float half, float reach) {
+[[nodiscard]] ENFILADE_HD SquareGaps square_gaps(SeenCorner p, SeenCorner q, SeenCorner r, float half, float reach) {
     SquareGaps gaps;
     widen_gaps(p, q, r, half, reach, gaps);
     widen_gaps(q, r, p, half, reach, gaps);
@@ -74,8 +78,9 @@ inline void widen_gaps(SeenCorner p, SeenCorner q, SeenCorner r, float half, flo
 }
 
 /// Octants of squares that are missed: `squares` has them by u, by v.
-[[nodiscard]] inline std::uint32_t missed_squares(const SquareGaps& gaps, std::uint32_t low_low, std::uint32_t high_low,
-                                                  std::uint32_t low_high, std::uint32_t high_high) {
+[[nodiscard]] ENFILADE_HD std::uint32_t missed_squares(const SquareGaps& gaps, std::uint32_t low_low,
+                                                       std::uint32_t high_low, std::uint32_t low_high,
+                                                       std::uint32_t high_high) {
     return bits_where(gaps.low_low > 0, low_low) | bits_where(gaps.high_low > 0, high_low) |
            bits_where(gaps.low_high > 0, low_high) | bits_where(gaps.high_high > 0, high_high);
 }
@@ -85,8 +90,8 @@ struct SpaceCorner {
 };
 
 /// Octants that the triangle's plane misses: the separating axis along its normal.
-[[nodiscard]] inline std::uint32_t missed_by_plane(SpaceCorner p, SpaceCorner q, SpaceCorner r, float half,
-                                                   float reach) {
+[[nodiscard]] ENFILADE_HD std::uint32_t missed_by_plane(SpaceCorner p, SpaceCorner q, SpaceCorner r, float half,
+                                                        float reach) {
     const SpaceCorner e = {q.x - p.x, q.y - p.y, q.z - p.z}, f = {r.x - p.x, r.y - p.y, r.z - p.z};
     const SpaceCorner n = {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
     const float at_p = n.x * p.x + n.y * p.y + n.z * p.z, at_q = n.x * q.x + n.y * q.y + n.z * q.z,
@@ -106,19 +111,23 @@ struct SpaceCorner {
     return missed;
 }
 
-/// Takes from `octants` those that triangles miss. `half`: of an octant's width; `reach`: half plus slack.
+/// Octants that a triangle misses. `half`: of an octant's width; `reach`: half plus slack.
+[[nodiscard]] ENFILADE_HD std::uint32_t missed_octants(SpaceCorner p, SpaceCorner q, SpaceCorner r, float half,
+                                                       float reach) {
+    const SquareGaps xy = square_gaps({p.x, p.y}, {q.x, q.y}, {r.x, r.y}, half, reach);
+    const SquareGaps yz = square_gaps({p.y, p.z}, {q.y, q.z}, {r.y, r.z}, half, reach);
+    const SquareGaps zx = square_gaps({p.z, p.x}, {q.z, q.x}, {r.z, r.x}, half, reach);
+    return missed_squares(xy, 0x11, 0x22, 0x44, 0x88) | missed_squares(yz, 0x03, 0x0c, 0x30, 0xc0) |
+           missed_squares(zx, 0x05, 0x50, 0x0a, 0xa0) | missed_by_plane(p, q, r, half, reach);
+}
+
+/// Takes from `octants` those that triangles miss.
 inline void refine_octants(const TriangleBlock& block, float half, float reach, std::uint32_t* octants) {
     for (std::uint32_t i = 0; i < TriangleBlock::size; ++i) {
         const SpaceCorner p = {block.at[0][0][i], block.at[0][1][i], block.at[0][2][i]};
         const SpaceCorner q = {block.at[1][0][i], block.at[1][1][i], block.at[1][2][i]};
         const SpaceCorner r = {block.at[2][0][i], block.at[2][1][i], block.at[2][2][i]};
-        const SquareGaps xy = square_gaps({p.x, p.y}, {q.x, q.y}, {r.x, r.y}, half, reach);
-        const SquareGaps yz = square_gaps({p.y, p.z}, {q.y, q.z}, {r.y, r.z}, half, reach);
-        const SquareGaps zx = square_gaps({p.z, p.x}, {q.z, q.x}, {r.z, r.x}, half, reach);
-        const std::uint32_t missed = missed_squares(xy, 0x11, 0x22, 0x44, 0x88) |
-                                     missed_squares(yz, 0x03, 0x0c, 0x30, 0xc0) |
-                                     missed_squares(zx, 0x05, 0x50, 0x0a, 0xa0) | missed_by_plane(p, q, r, half, reach);
-        octants[i] &= ~missed;
+        octants[i] &= ~missed_octants(p, q, r, half, reach);
     }
 }
 

@@ -34,14 +34,15 @@ inline constexpr double octree_slack = 0x1p-20;
 struct OctreeCost {
     double full_leaf = 28;   ///< a step into a leaf with triangles and out of it
     double empty_leaf = 20;  ///< the same without any
-    double block = 10;       ///< a register of triangles, full or not
+    double block = 10;       ///< triangles that are tested at once, so many or less
     static constexpr std::uint32_t block_size = 16;
+    std::uint32_t at_once = block_size;  ///< 16: a register of them; 1: one by one, as on a device
 
     [[nodiscard]] static constexpr std::uint32_t blocks(std::uint32_t triangles) {
         return triangles / block_size + (triangles % block_size != 0 ? 1 : 0);
     }
     [[nodiscard]] constexpr double of_leaf(std::uint32_t triangles) const {
-        return triangles == 0 ? empty_leaf : full_leaf + block * blocks(triangles);
+        return triangles == 0 ? empty_leaf : full_leaf + block * ((triangles + at_once - 1) / at_once);
     }
 };
 

@@ -29,7 +29,8 @@ public:
 
     /// What each octant gets of its parent's budget: by its entries, so that all get enough to be a leaf.
     /// \pre entries(counts) <= budget
-    [[nodiscard]] static std::array<std::uint64_t, 8> shares(std::uint64_t budget, const OctantCounts& counts) {
+    [[nodiscard]] static ENFILADE_HD std::array<std::uint64_t, 8> shares(std::uint64_t budget,
+                                                                         const OctantCounts& counts) {
         const std::uint64_t all = entries(counts);
         std::array<std::uint64_t, 8> shares;
         for (std::size_t i = 0; i < 8; ++i) shares[i] = budget * (std::uint64_t{counts[i]} + 1) / all;
@@ -51,9 +52,15 @@ public:
     /// Whether to build the octants of a node: they fit the budget, and cost less than a leaf, or might once they are
     /// split in turn; or, where leaves are asked for by size, most triangles lie in few of them.
     [[nodiscard]] bool tries(std::uint32_t count, std::uint64_t budget, const OctantCounts& counts) const {
+        if (!is_by_cost()) return tries_by_size(count, budget, counts);
         if (entries(counts) > budget) return false;
-        if (!is_by_cost()) return entries(counts) - 8 <= std::uint64_t{octants_at_most} * count;
         return (is_large(count) ? cost_of_leaves(counts) : least_cost(counts)) < cost_of_leaf(count);
+    }
+
+    /// The same where leaves are asked for by size.
+    [[nodiscard]] static ENFILADE_HD bool tries_by_size(std::uint32_t count, std::uint64_t budget,
+                                                        const OctantCounts& counts) {
+        return entries(counts) <= budget && entries(counts) - 8 <= std::uint64_t{octants_at_most} * count;
     }
 
     /// What a part of the tree below a node at `level` takes, as a cost of lines through that node.
@@ -80,9 +87,9 @@ private:
     [[nodiscard]] bool is_by_cost() const { return leaf_size_ == OctreeOptions::automatic; }
 
     /// The references and one for each leaf.
-    [[nodiscard]] static std::uint64_t entries(const OctantCounts& counts) {
+    [[nodiscard]] static ENFILADE_HD std::uint64_t entries(const OctantCounts& counts) {
         std::uint64_t sum = 8;
-        for (const std::uint32_t count : counts) sum += count;
+        for (std::size_t i = 0; i < 8; ++i) sum += counts[i];
         return sum;
     }
 

@@ -97,6 +97,22 @@ OctreeArrays upload_octree(Device& device, const accel::LinkedOctree& tree) {
     return arrays;
 }
 
+accel::OctreeOptions device_octree_options() {
+    accel::OctreeOptions options;
+    options.cost.at_once = 1;
+    return options;
+}
+
+OctreeArrays build_octree_arrays(Device& device, const accel::MeshPart& mesh, const accel::OctreeOptions& options,
+                                 const accel::Executor& executor) {
+    const accel::Octree tree = accel::build_octree(mesh, options, executor);
+    OctreeArrays arrays = upload_octree(device, accel::LinkedOctree(tree, mesh, executor));
+    if (arrays.view.leaves == nullptr) return arrays;
+    use_jump_levels(device, tree, accel::jump_levels_for(tree.frame.depth, tree.leaves.size(), most_device_jump_levels),
+                    arrays);
+    return arrays;
+}
+
 void use_jump_levels(Device& device, const accel::Octree& tree, std::uint32_t levels, OctreeArrays& arrays) {
     const accel::JumpTable table = accel::build_jump_table(tree, levels);
     arrays.jumps = uploaded(device, table.entries.data(), table.entries.size());

@@ -24,6 +24,15 @@ struct OctreeArrays {
 
 [[nodiscard]] OctreeArrays upload_octree(Device& device, const accel::LinkedOctree& tree);
 
+/// What devices walk best, by count (README.md): triangles are tested one by one there, so leaves are smaller.
+[[nodiscard]] accel::OctreeOptions device_octree_options();
+/// Of their tables the flat part may be deeper as well: a look less a leaf.
+inline constexpr std::uint32_t most_device_jump_levels = 7;
+
+/// Built and linked by the host, uploaded, with the deeper table.
+[[nodiscard]] OctreeArrays build_octree_arrays(Device& device, const accel::MeshPart& mesh,
+                                               const accel::OctreeOptions& options, const accel::Executor& executor);
+
 /// Exchanges the table by which leaves are found for a deeper or a flatter one. levels: of its flat part; the tree's
 /// depth less that is even. \throws std::invalid_argument where it is not
 void use_jump_levels(Device& device, const accel::Octree& tree, std::uint32_t levels, OctreeArrays& arrays);

@@ -13,27 +13,20 @@ namespace enfilade::render::cuda {
 
 /// Events of OctreeWarp on the host.
 struct CountedWarps {
-    static constexpr bool are_counted = true;
     std::uint64_t steps = 0;       ///< turns in which lanes go to a leaf
     std::uint64_t step_lanes = 0;  ///< lanes that do, over all turns
     std::uint64_t tests = 0;       ///< turns in which lanes test a triangle
     std::uint64_t test_lanes = 0;  ///< lanes that do: triangles
     std::uint64_t leaves = 0;      ///< with triangles and without, over all rays
     std::uint64_t looks = 0;       ///< loads from the table of leaves
-    std::uint64_t rounds = 0;      ///< times that a warp turns from leaves to triangles
 
     void stepped(std::uint32_t lanes) {
         ++steps;
         step_lanes += static_cast<std::uint64_t>(bit_count(lanes));
     }
-    void tested(const PerLane<std::uint32_t>& triangles) {
-        std::uint32_t most = 0;
-        for (int lane = 0; lane < warp_size; ++lane) {
-            most = most < triangles[lane] ? triangles[lane] : most;
-            test_lanes += triangles[lane];
-        }
-        tests += most;
-        rounds += most > 0 ? 1 : 0;
+    void tested(std::uint32_t lanes) {
+        ++tests;
+        test_lanes += static_cast<std::uint64_t>(bit_count(lanes));
     }
     void entered_leaf(std::uint32_t /*leaf*/, std::uint32_t /*triangles*/) { ++leaves; }
     void descended(std::uint32_t levels) { looks += levels; }
@@ -55,8 +48,8 @@ template <class Tree>
 [[nodiscard]] CountedWarps count_octree_warps(const Tree& tree, const OctreeJob& job, std::uint32_t count,
                                               OctreeSchedule schedule) {
     using Kind = OctreeSchedule::Kind;
-    if (schedule.kind == Kind::PerLeaf) schedule.ready = 1;
-    if (schedule.kind == Kind::WhileWhile) schedule.ready = warp_size;
+    if (schedule.kind == Kind::PerLeaf) schedule.ready = 1, schedule.testing = 0;
+    if (schedule.kind == Kind::WhileWhile) schedule.ready = warp_size, schedule.testing = 0;
     CountedWarps events;
     std::uint32_t next = 0;
     if (schedule.kind == Kind::Persistent) {

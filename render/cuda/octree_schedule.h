@@ -2,15 +2,11 @@
 // Which piece of its walk each lane of a warp does when. All schedules give the same answers, to the last bit. Included
 // by kernels, and by those who count what warps do (octree_counts.h).
 
-#include <bit>
 #include <cstdint>
 
 #include "render/cuda/octree_job.h"
+#include "render/cuda/streams_atomics.h"
 #include "render/cuda/warp.h"
-
-#if !defined(__CUDA_ARCH__)
-#include <atomic>
-#endif
 
 namespace enfilade::render::cuda {
 
@@ -19,37 +15,22 @@ struct OctreeSchedule {
     enum class Kind : std::uint8_t {
         PerLeaf,     ///< a thread a ray; each turn a leaf and its triangles
         WhileWhile,  ///< a thread a ray; leaves without triangles in a loop of their own
-        Postponed,   ///< a warp 32 rays; triangles are tested once `ready` lanes have some
+        Postponed,   ///< a warp 32 rays; triangles are tested once `ready` lanes have some, while `testing` have
         Persistent   ///< as many warps as the card holds; and once `idle` lanes have no ray left they fetch others
     };
-    Kind kind = Kind::WhileWhile;
-    int ready = 24;              ///< of 32 lanes
-    int idle = 12;               ///< of 32 lanes
+    Kind kind = Kind::Persistent;
+    int ready = 16;              ///< of 32 lanes that have rays
+    int testing = 16;            ///< of 32 lanes that have rays: fewer stop testing, and go on where they were
+    int idle = 4;                ///< of 32 lanes
     int warps_a_processor = 24;  ///< with Persistent
 };
 
-[[nodiscard]] ENFILADE_HD int bit_count(std::uint32_t bits) {
-#if defined(__CUDA_ARCH__)
-    return __popc(bits);
-#else
-    return std::popcount(bits);
-#endif
-}
-
-/// What it was before `more` was added, at once for all who ask.
-ENFILADE_HD std::uint32_t fetch_add(std::uint32_t* number, std::uint32_t more) {
-#if defined(__CUDA_ARCH__)
-    return atomicAdd(number, more);
-#else
-    return std::atomic_ref<std::uint32_t>(*number).fetch_add(more, std::memory_order_relaxed);
-#endif
-}
+[[nodiscard]] ENFILADE_HD int bit_count(std::uint32_t bits) { return static_cast<int>(count_bits(bits)); }
 
 /// What a warp may be asked to tell.
 struct NoWarpEvents {
-    static constexpr bool are_counted = false;
     ENFILADE_HD void stepped(std::uint32_t /*lanes*/) {}
-    ENFILADE_HD void tested(const PerLane<std::uint32_t>& /*triangles*/) {}
+    ENFILADE_HD void tested(std::uint32_t /*lanes*/) {}
 };
 
 enum class LaneState : std::uint8_t { Idle, Walking, Ready };
@@ -87,7 +68,7 @@ private:
         if (next != nullptr) {
             PerLane<std::uint32_t> taken;
             for (int lane : warp.lanes())
-                taken[lane] = lane == 0 ? fetch_add(next, static_cast<std::uint32_t>(bit_count(idle))) : 0;
+                taken[lane] = lane == 0 ? atomic_add(next, static_cast<std::uint32_t>(bit_count(idle))) : 0;
             first = warp.of_lane(taken, 0);
         }
         for (int lane : warp.lanes()) {
@@ -114,23 +95,26 @@ private:
             for (int lane : warp.lanes()) {
                 if (state_[lane] != LaneState::Walking) continue;
                 enter_leaf(tree_, travel_[lane], events_);
+                triangle_[lane] = 0;
                 if (travel_[lane].leaf.count != 0) state_[lane] = LaneState::Ready;
                 else leave(lane);
             }
         }
     }
 
+    /// A triangle each turn, until too few lanes have one left.
     ENFILADE_HD void test(const Warp& warp) {
-        if constexpr (Events::are_counted) {
-            PerLane<std::uint32_t> triangles;
-            for (int lane : warp.lanes())
-                triangles[lane] = state_[lane] == LaneState::Ready ? travel_[lane].leaf.count : 0;
-            events_.tested(triangles);
-        }
-        for (int lane : warp.lanes()) {
-            if (state_[lane] != LaneState::Ready) continue;
-            test_leaf<false>(tree_, travel_[lane]);
-            leave(lane);
+        std::uint32_t ready = lanes_that_are(warp, LaneState::Ready);
+        while (ready != 0) {
+            events_.tested(ready);
+            for (int lane : warp.lanes()) {
+                if (state_[lane] != LaneState::Ready) continue;
+                test_triangle<false>(tree_, triangle_[lane], travel_[lane]);
+                if (++triangle_[lane] == travel_[lane].leaf.count) leave(lane);
+            }
+            ready = lanes_that_are(warp, LaneState::Ready);
+            const int busy = warp_size - bit_count(lanes_that_are(warp, LaneState::Idle));
+            if (bit_count(ready) * warp_size < schedule_.testing * busy) return;
         }
     }
 
@@ -152,6 +136,7 @@ private:
     PerLane<OctreeTravel<Tree>> travel_;
     PerLane<std::uint32_t> number_;
     PerLane<LaneState> state_;
+    PerLane<std::uint32_t> triangle_;  ///< of its leaf, the next to test
 };
 
 }  // namespace enfilade::render::cuda

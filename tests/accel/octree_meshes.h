@@ -19,6 +19,7 @@ public:
     void move(double scale, const Point& offset);
     [[nodiscard]] accel::MeshPart part() const { return {places_.data(), triangles_.data(), used_}; }
     [[nodiscard]] std::size_t size() const { return used_.size(); }
+    [[nodiscard]] std::size_t all() const { return triangles_.size(); }  ///< also those that are not used
     /// Uses every n-th alone.
     void use_every(std::uint32_t n);
 

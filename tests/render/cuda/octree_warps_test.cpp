@@ -63,13 +63,17 @@ TEST_F(OctreeWarps, WaitingForTrianglesTestsThemMoreTogether) {
     const CountedWarps simple = count({.kind = Kind::PerLeaf}), together = count({.kind = Kind::WhileWhile});
     EXPECT_LT(together.tests, simple.tests);
     EXPECT_GT(together.test_share(), simple.test_share());
-    const CountedWarps between = count({.kind = Kind::Postponed, .ready = 16});
-    EXPECT_LE(between.rounds, simple.rounds);
-    EXPECT_GE(between.rounds, together.rounds);
+}
+
+TEST_F(OctreeWarps, LanesThatAreLeftStopTestingAndGoOnLater) {
+    const CountedWarps all = count({.kind = Kind::Persistent, .testing = 0}),
+                       some = count({.kind = Kind::Persistent, .testing = 16});
+    EXPECT_EQ(some.test_lanes, all.test_lanes);
+    EXPECT_GT(some.test_share(), 1.1 * all.test_share());
 }
 
 TEST_F(OctreeWarps, FetchingRaysKeepsLanesAtWork) {
-    const CountedWarps fixed = count({.kind = Kind::Postponed}), fetched = count({.kind = Kind::Persistent, .idle = 8});
+    const CountedWarps fixed = count({.kind = Kind::Postponed}), fetched = count({.kind = Kind::Persistent});
     EXPECT_GT(fetched.step_share(), 1.1 * fixed.step_share());
     EXPECT_LT(fetched.steps, fixed.steps);
 }
