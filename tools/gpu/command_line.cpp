@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <memory>
 
 #include "base/error.h"
@@ -9,6 +10,7 @@
 #include "render/executor.h"
 #include "tools/gpu/bench.h"
 #include "tools/gpu/check_frames.h"
+#include "tools/gpu/check_meshes.h"
 #include "tools/gpu/check_streams.h"
 #include "tools/gpu/markdown.h"
 #include "tools/gpu/tried_scene.h"
@@ -145,8 +147,16 @@ int run_check(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     std::vector<std::string> faults;
     for (const TriedScene& scene : opened_scenes(arguments, log)) {
         log << "checking " << scene.name << std::endl;
-        std::vector<Agreement> rows = check_frames(*device, scene, options, *executor);
-        for (Agreement& row : check_streams(*device, scene, options, *executor)) rows.push_back(std::move(row));
+        std::vector<Agreement> rows;
+        const auto add = [&](std::vector<Agreement> more) {
+            rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+        };
+        if (scene.is_single_mesh()) {
+            add(check_meshes(*device, scene, options, *executor));
+        } else {
+            add(check_frames(*device, scene, options, *executor));
+            add(check_streams(*device, scene, options, *executor));
+        }
         for (const Agreement& row : rows) {
             table.add({row.scene, row.what, row.way, grouped(row.asked), share_text(row.same, row.asked),
                        grouped(row.explained), grouped(row.leaks),
@@ -196,6 +206,7 @@ int run_bench(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     const Limits limits = bench_limits(*device, options, report);
     bench_frames(*device, scenes, limits, options, *executor, report);
     bench_batches(*device, scenes, limits, options, *executor, report);
+    bench_meshes(*device, scenes, options, *executor, report);
     report.write_goals();
     return 0;
 }

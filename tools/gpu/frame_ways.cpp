@@ -1,6 +1,9 @@
 #include "tools/gpu/frame_ways.h"
 
+#include <optional>
+
 #include "render/cuda/buffer.h"
+#include "render/cuda/device_objects.h"
 #include "render/cuda/device_scene.h"
 #include "render/cuda/packets.h"
 #include "render/cuda/pictures.h"
@@ -10,6 +13,11 @@ namespace enfilade::tools::gpu {
 namespace {
 
 using render::cuda::Device;
+using render::cuda::InsideKind;
+
+render::ObjectAccelKind kind_of(InsideKind inside) {
+    return inside == InsideKind::Octree ? render::ObjectAccelKind::Octree : render::ObjectAccelKind::Plain;
+}
 
 /// A thread a pixel.
 class Pixels : public FrameMaker {
@@ -34,8 +42,11 @@ std::unique_ptr<FrameMaker> open_pixels(Device& device, const FrameScene& scene,
 /// Tiles by the corner rays of a warp.
 class Packets : public FrameMaker {
 public:
-    Packets(Device& device, const FrameScene& scene, const FrameTask& task, render::cuda::PacketTiles tiles)
+    Packets(Device& device, const FrameScene& scene, const FrameTask& task, render::cuda::PacketTiles tiles,
+            InsideKind inside, const accel::Executor& executor)
         : device_(device), arrays_(device), scene_(copy_scene(scene.scene, arrays_)) {
+        if (task.with_objects) objects_.emplace(arrays_, scene.scene, scene_, inside, accel::OctreeOptions{}, executor);
+        job_.objects = objects_ ? &*objects_ : nullptr;
         job_.scene = &scene_;
         job_.look = render::lambert_look({});
         job_.mirror_floor = task.mirror_floor;
@@ -61,15 +72,18 @@ private:
     Device& device_;
     render::cuda::DeviceArrays arrays_;
     accel::SceneView scene_;
+    std::optional<render::cuda::DeviceObjects> objects_;
     render::cuda::PacketJob job_ = {};
     render::cuda::Buffer<std::uint32_t> image_;
 };
 
-template <int largest, int smallest>
-std::unique_ptr<FrameMaker> open_packets(Device& device, const FrameScene& scene, const FrameTask& task,
-                                         const accel::Executor& /*executor*/) {
-    if (task.with_objects || task.lamps) return nullptr;
-    return std::make_unique<Packets>(device, scene, task, render::cuda::PacketTiles{largest, smallest});
+FrameWay packets(const std::string& name, render::cuda::PacketTiles tiles, InsideKind inside = InsideKind::Octree) {
+    const auto open = [=](Device& device, const FrameScene& scene, const FrameTask& task,
+                          const accel::Executor& executor) -> std::unique_ptr<FrameMaker> {
+        if (task.lamps || (!task.with_objects && inside != InsideKind::Octree)) return nullptr;
+        return std::make_unique<Packets>(device, scene, task, tiles, inside, executor);
+    };
+    return {name, true, false, kind_of(inside), open};
 }
 
 }  // namespace
@@ -89,9 +103,13 @@ std::vector<FrameTask> frame_tasks() {
 const std::vector<FrameWay>& frame_ways() {
     static const std::vector<FrameWay> ways = {
         {"a thread a pixel", true, true, render::ObjectAccelKind::Octree, open_pixels},
-        {"packets 8:4", true, false, render::ObjectAccelKind::Octree, open_packets<8, 4>},
-        {"packets 16:4", true, false, render::ObjectAccelKind::Octree, open_packets<16, 4>},
-        {"packets 32:8", true, false, render::ObjectAccelKind::Octree, open_packets<32, 8>},
+        packets("packets 8:4", {8, 4}),
+        packets("packets 8:8", {8, 8}),
+        packets("packets 16:4", {16, 4}),
+        packets("packets 16:8", {16, 8}),
+        packets("packets 32:8", {32, 8}),
+        packets("packets 64:8", {64, 8}),
+        packets("packets 16:4, BVHs inside", {16, 4}, InsideKind::Bvh),
     };
     return ways;
 }
