@@ -8,19 +8,10 @@
 
 #include "render/embree_reference.h"
 #include "render/framebuffer.h"
+#include "render/lamp_lists.h"
 #include "render/lamps.h"
 
 namespace enfilade::render {
-
-/// Which lamps are asked for at a place of each cell: those that the cell may see, each once.
-struct LampLists {
-    std::vector<std::uint32_t> offsets;  ///< [cell_count + 1]
-    std::vector<std::uint32_t> lamps;    ///< LightIds, ascending in each cell
-};
-/// Those of the light trees.
-[[nodiscard]] LampLists lamp_lists(const accel::LightTreesView& trees);
-/// Every lamp that stands in a cell, for every cell: what a tracer without lists asks for.
-[[nodiscard]] LampLists all_lamps(const accel::SceneView& scene);
 
 /// How Embree is asked for lit pictures.
 struct EmbreeLitWay {

@@ -48,25 +48,44 @@ TriangleScene::TriangleScene(const accel::SceneView& scene, bool is_bare) {
     if (!is_bare) {
         meshes.assign(scene.meshes.begin(), scene.meshes.end());
         for (const accel::ObjectMesh& mesh : meshes) {
-            const accel::Vertex* vertices = scene.mesh_vertices.data() + mesh.first_vertex;
-            for (std::uint32_t t = 0; t < mesh.triangle_count; ++t) {
-                const accel::MeshTriangle& of = scene.mesh_triangles[mesh.first_triangle + t];
-                triangles.push_back({vertices[of.corners[0]], vertices[of.corners[1]], vertices[of.corners[2]]});
-                looks.push_back(detail::look_of(scene, of.material));
-            }
+            add_triangles(scene, mesh);
             mesh_first.push_back(static_cast<std::uint32_t>(triangles.size()));
         }
-        for (const accel::PlacedObject& object : scene.objects) {
-            BvhInstance instance = instance_of(object, mesh_first[index(object.mesh)]);
-            if (object.material != none<accel::MaterialId>) {
-                instance.look = static_cast<std::uint32_t>(looks.size());
-                looks.push_back(detail::look_of(scene, object.material));
-            }
-            instances.push_back(instance);
-            instance_boxes.push_back({object.low, object.high});
-            mesh_of.push_back(static_cast<std::uint32_t>(object.mesh));
-        }
+        for (const accel::PlacedObject& object : scene.objects) add_object(scene, object);
     }
+    find_those_to_hit();
+}
+
+TriangleScene TriangleScene::of_mesh(const accel::SceneView& scene, accel::MeshId mesh) {
+    TriangleScene one;
+    one.add_triangles(scene, scene.meshes[index(mesh)]);
+    one.face_triangles = static_cast<std::uint32_t>(one.triangles.size());
+    one.mesh_first.push_back(one.face_triangles);
+    one.find_those_to_hit();
+    return one;
+}
+
+void TriangleScene::add_triangles(const accel::SceneView& scene, const accel::ObjectMesh& mesh) {
+    const accel::Vertex* vertices = scene.mesh_vertices.data() + mesh.first_vertex;
+    for (std::uint32_t t = 0; t < mesh.triangle_count; ++t) {
+        const accel::MeshTriangle& of = scene.mesh_triangles[mesh.first_triangle + t];
+        triangles.push_back({vertices[of.corners[0]], vertices[of.corners[1]], vertices[of.corners[2]]});
+        looks.push_back(detail::look_of(scene, of.material));
+    }
+}
+
+void TriangleScene::add_object(const accel::SceneView& scene, const accel::PlacedObject& object) {
+    BvhInstance instance = instance_of(object, mesh_first[index(object.mesh)]);
+    if (object.material != none<accel::MaterialId>) {
+        instance.look = static_cast<std::uint32_t>(looks.size());
+        looks.push_back(detail::look_of(scene, object.material));
+    }
+    instances.push_back(instance);
+    instance_boxes.push_back({object.low, object.high});
+    mesh_of.push_back(static_cast<std::uint32_t>(object.mesh));
+}
+
+void TriangleScene::find_those_to_hit() {
     can_be_hit.reserve(triangles.size());
     for (const SceneTriangle& triangle : triangles) can_be_hit.push_back(has_area(triangle));
 }

@@ -31,12 +31,21 @@ struct TriangleScene {
     std::vector<SahBox> instance_boxes;     ///< [object]
     std::vector<std::uint32_t> mesh_of;     ///< [object]
 
+    /// One mesh alone, in its own space: its triangles stand for those of faces.
+    [[nodiscard]] static TriangleScene of_mesh(const accel::SceneView& scene, accel::MeshId mesh);
+
     /// The triangles of all solid faces, each once, as Embree is given them; of meshes, as they lie in the scene; all
     /// objects that have a triangle. is_bare: without meshes and objects. \throws IoError if there are more than
     /// 2^30
     explicit TriangleScene(const accel::SceneView& scene, bool is_bare = false);
 
     [[nodiscard]] SahBox box_of(std::uint32_t triangle) const;
+
+private:
+    TriangleScene() = default;
+    void add_triangles(const accel::SceneView& scene, const accel::ObjectMesh& mesh);
+    void add_object(const accel::SceneView& scene, const accel::PlacedObject& object);
+    void find_those_to_hit();
 };
 
 /// For trees over triangles [begin, end) that can be hit. Triangles whose boxes are much larger than themselves are
