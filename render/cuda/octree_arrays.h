@@ -42,7 +42,7 @@ enum class TriangleLayout : std::uint8_t { Columns, Records, Indexed };
 
 struct DeviceOctreeLayout {
     TriangleLayout triangles = TriangleLayout::Records;
-    bool has_octant_leaves = true;  ///< with Records and Indexed: 8 bytes a leaf and octant, else 32 a leaf
+    bool has_octant_leaves = false;  ///< with Records and Indexed: 8 bytes a leaf and octant, else 32 a leaf
 };
 
 /// Where a mesh's triangles and its corners are read from, by number.

@@ -134,13 +134,11 @@ ENFILADE_HD Vec3f normal_of(const Tree& tree, const typename Tree::Place& place)
                  Vec3f{p.c[0] - p.a[0], p.c[1] - p.a[1], p.c[2] - p.a[2]});
 }
 
-/// One ray, a leaf each turn: as octree_walk, to the last bit, but that t lacks moved_by. goes_through: leaves without
-/// triangles are passed in a loop of their own, so that a warp's threads test triangles together.
+/// One ray from begin to end; true with `any` once something is met. goes_through: leaves without triangles are passed
+/// in a loop of their own, so that a warp's threads test triangles together. \pre travel.found.triangle is set
 template <bool any, class Tree, class Events>
-ENFILADE_HD OctreeFound<typename Tree::Place> find_nearest(const Tree& tree, const OctreeRay& ray, bool goes_through,
-                                                           Events& events) {
-    OctreeTravel<Tree> travel;
-    travel.found.triangle = no_triangle;
+ENFILADE_HD bool travel_on(const Tree& tree, const OctreeRay& ray, bool goes_through, OctreeTravel<Tree>& travel,
+                           Events& events) {
     bool goes_on = begin_travel(tree, ray, travel);
     while (goes_on) {
         enter_leaf(tree, travel, events);
@@ -149,13 +147,40 @@ ENFILADE_HD OctreeFound<typename Tree::Place> find_nearest(const Tree& tree, con
             if (goes_on) enter_leaf(tree, travel, events);
         }
         if (!goes_on) break;
-        if (test_leaf<any>(tree, travel)) {
-            travel.found.triangle = 0;
-            break;
-        }
+        if (test_leaf<any>(tree, travel)) return true;
         goes_on = leave_leaf(tree, travel);
     }
+    return false;
+}
+
+/// What octree_walk finds, to the last bit, but that t lacks moved_by.
+template <bool any, class Tree, class Events>
+ENFILADE_HD OctreeFound<typename Tree::Place> find_nearest(const Tree& tree, const OctreeRay& ray, bool goes_through,
+                                                           Events& events) {
+    OctreeTravel<Tree> travel;
+    travel.found.triangle = no_triangle;
+    if (travel_on<any>(tree, ray, goes_through, travel, events)) travel.found.triangle = 0;
     return travel.found;
+}
+
+/// As octree_walk, to the last bit and in all that it writes: for walks through rooms.
+template <bool any, class Tree, class Events>
+ENFILADE_HD bool walk_octree(const Tree& tree, ObjectRay& ray, Events& events) {
+    const OctreeRay asked = {{ray.origin_x, ray.origin_y, ray.origin_z},
+                             ray.near,
+                             {ray.direction_x, ray.direction_y, ray.direction_z},
+                             ray.far};
+    OctreeTravel<Tree> travel;
+    travel.found.triangle = ray.triangle;
+    if (travel_on<any>(tree, asked, true, travel, events)) return true;
+    if (any || travel.found.triangle == ray.triangle) return false;
+    std::uint32_t number = 0;
+    const TriangleCorners corners = tree.triangle(travel.found.place, number);
+    TriangleMeeting meeting;
+    if (meets_triangle(travel.sheared, corners.at(), meeting)) describe_meeting(corners.at(), meeting, ray);
+    ray.far = travel.found.t + moved_by(tree, asked);
+    ray.triangle = travel.found.triangle;
+    return true;
 }
 
 /// What is found through ropes: its normal comes with it.

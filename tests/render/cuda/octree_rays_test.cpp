@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "render/cuda/octree_record_trees.h"
 #include "render/octree_walk.h"
 #include "render/rope_walk.h"
 #include "tests/render/cuda/octree_cases.h"
@@ -169,6 +170,36 @@ TEST_P(DeviceOctrees, RopesOfEveryKindAnswerAsTheScalarWalk) {
             },
             is_balanced);
     }
+}
+
+/// Whole rays, normals and shares of corners with them, also where a hit is known before.
+TEST(RecordTrees, AnswerAsTheScalarWalkInAllTheyWrite) {
+    const accel::SerialExecutor cores;
+    const std::unique_ptr<Device> device = open_host(cores);
+    std::size_t hits = 0;
+    for (const test::NamedMesh& named : test::octree_case_meshes()) {
+        const TriedMesh mesh(named.mesh);
+        const accel::Octree tree = accel::build_octree(mesh.part(), device_octree_options(), cores);
+        const accel::LinkedOctree linked(tree, mesh.part(), cores);
+        const DeviceOctree octree(*device, upload_octree(*device, linked), {});
+        const RecordTree* record = std::get_if<RecordTree>(&octree.tree());
+        if (record == nullptr) continue;  // nothing to hit
+        for (const ObjectRay& asked : test::octree_case_rays(mesh, tree.frame, 30)) {
+            NoOctreeEvents none;
+            ObjectRay expected = asked, answered = asked;
+            octree_walk<false>(linked.view(), expected, none);
+            const RecordTrees trees = {record};
+            EXPECT_EQ(ask_blocked(trees, accel::MeshId{0}, asked), expected.triangle != no_triangle);
+            ask_nearest(trees, accel::MeshId{0}, answered);
+            ASSERT_EQ(std::memcmp(&answered, &expected, sizeof expected), 0) << named.name;
+            hits += expected.triangle != no_triangle ? 1 : 0;
+            if (expected.triangle == no_triangle) continue;
+            ask_nearest(trees, accel::MeshId{0}, answered);  // the hit is known: nothing is nearer
+            octree_walk<false>(linked.view(), expected, none);
+            ASSERT_EQ(std::memcmp(&answered, &expected, sizeof expected), 0) << named.name;
+        }
+    }
+    EXPECT_GT(hits, 500u);
 }
 
 TEST_P(DeviceOctrees, AnythingIsFoundWhereTheNearestIs) {

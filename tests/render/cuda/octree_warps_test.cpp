@@ -78,6 +78,22 @@ TEST_F(OctreeWarps, FetchingRaysKeepsLanesAtWork) {
     EXPECT_LT(fetched.steps, fixed.steps);
 }
 
+TEST_F(OctreeWarps, RecordsAreFewerSectorsThanColumns) {
+    const DeviceOctree columns(*device_, upload_octree(*device_, linked_), {TriangleLayout::Columns}),
+        octant_leaves(*device_, upload_octree(*device_, linked_), {TriangleLayout::Records, true});
+    const auto rays = static_cast<std::uint32_t>(rays_.size());
+    const CountedWarps by_record = count({}),
+                       by_column = count_octree_warps(std::get<ColumnTree>(columns.tree()), job_, rays, {}),
+                       by_octant = count_octree_warps(std::get<RecordTree>(octant_leaves.tree()), job_, rays, {});
+    EXPECT_EQ(by_record.test_lanes, by_column.test_lanes);
+    EXPECT_LE(by_record.triangle_sectors, 2 * by_record.test_lanes);
+    EXPECT_LT(2 * by_record.triangle_sectors, by_column.triangle_sectors);
+    EXPECT_EQ(by_octant.triangle_sectors, by_record.triangle_sectors);
+    EXPECT_LE(by_record.leaf_sectors, by_record.leaves);
+    EXPECT_LE(by_octant.leaf_sectors, by_octant.leaves);
+    EXPECT_EQ(by_column.leaf_sectors, by_record.leaf_sectors);
+}
+
 TEST_F(OctreeWarps, TilesGoTogetherBetterThanRows) {
     OctreeJob tiles = {};
     Camera camera;
