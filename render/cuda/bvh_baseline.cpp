@@ -50,7 +50,8 @@ struct BvhBaseline::Parts {
         : device(device_), options(options_), arrays(device_), taken(device_, 1) {
         const TriangleScene triangles = triangles_of(scene, options);
         BvhForestOptions building;
-        building.split_share = options.split_share;
+        building.split_share = options.mesh ? options.mesh_split_share : options.split_share;
+        building.mesh_split_share = options.mesh_split_share;
         if (options.kind == BvhKind::Wide) building.largest_leaf = 1;
         const BvhForest forest = build_forest(triangles, building, executor);
         if (options.kind == BvhKind::Binary) binary = uploaded<Bvh2View>(lay_out_bvh2(triangles, forest, options.test));

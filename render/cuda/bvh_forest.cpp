@@ -28,8 +28,8 @@ BvhForest build_forest(const TriangleScene& scene, const BvhForestOptions& optio
     const std::vector<bool> used = used_by(scene);
     const auto build = [&](std::size_t mesh, const accel::Executor& builders) {
         forest.meshes[mesh] = build_sah_tree(
-            triangle_entries(scene, scene.mesh_first[mesh], scene.mesh_first[mesh + 1], options.split_share), builders,
-            sah);
+            triangle_entries(scene, scene.mesh_first[mesh], scene.mesh_first[mesh + 1], options.mesh_split_share),
+            builders, sah);
     };
     const auto is_large = [&](std::size_t mesh) {
         return scene.mesh_first[mesh + 1] - scene.mesh_first[mesh] >= large_mesh;

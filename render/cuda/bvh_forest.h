@@ -20,7 +20,8 @@ struct BvhForest {
 struct BvhForestOptions {
     std::uint32_t largest_leaf = 8;
     float node_cost = 1.2f;
-    float split_share = 0;  ///< of triangle_entries
+    float split_share = 0;       ///< of faces: see triangle_entries
+    float mesh_split_share = 0;  ///< of meshes
 };
 
 /// Cost: about 1 us a triangle and core.

@@ -12,7 +12,7 @@ namespace enfilade::render::cuda {
 /// A thread's rays: one item, or persistently one item after the other.
 template <class Walk, class View, class Feeder, bool is_persistent, int least_blocks>
 struct BvhKernel {
-    static constexpr LaunchShape shape = {128, least_blocks};
+    static constexpr LaunchShape shape = {bvh_block, least_blocks};
     View bvh;
     BvhJob job;
     unsigned long long* taken;  ///< items; persistent threads share it

@@ -10,6 +10,9 @@
 
 namespace enfilade::render::cuda {
 
+/// Threads of a block of baselines.
+inline constexpr int bvh_block = 128;
+
 /// Before a loop whose few rounds a kernel does one after the other without counting.
 #if defined(__CUDA_ARCH__)
 #define ENFILADE_UNROLL _Pragma("unroll")

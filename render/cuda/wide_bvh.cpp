@@ -1,7 +1,9 @@
 #include "render/cuda/wide_bvh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "render/cuda/wide_collapse.h"
 
@@ -34,28 +36,37 @@ private:
     static std::uint8_t byte(double a) { return static_cast<std::uint8_t>(std::clamp(a, 0.0, 255.0)); }
 };
 
-/// Puts each child into the slot whose octant it is in, as far as they do not want the same: [slot], -1 where none is.
+/// Puts each child into a slot so that all together lie in their octants as far as can be: [slot], -1 where none is.
+/// Of all ways the best, by the sets of slots that the first children may take.
 std::array<int, 8> slots_of(const WideChildren& children, const SahBox& box) {
-    std::array<int, 8> child_in;
-    child_in.fill(-1);
     std::array<std::array<double, 8>, 8> gain{};
-    for (std::size_t c = 0; c < static_cast<std::size_t>(children.count); ++c)
+    const auto count = static_cast<std::size_t>(children.count);
+    for (std::size_t c = 0; c < count; ++c)
         for (std::size_t slot = 0; slot < 8; ++slot)
             for (std::size_t k = 0; k < 3; ++k) {
                 const double away = double{children.of[c].box.centre(k)} - double{box.centre(k)};
                 gain[c][slot] += (slot >> k & 1) != 0 ? away : -away;
             }
-    std::array<bool, 8> is_placed{};
-    for (int round = 0; round < children.count; ++round) {
-        std::size_t best_child = 8, best_slot = 8;
-        for (std::size_t c = 0; c < static_cast<std::size_t>(children.count); ++c)
-            for (std::size_t slot = 0; slot < 8 && !is_placed[c]; ++slot)
-                if (child_in[slot] < 0 && (best_child == 8 || gain[c][slot] > gain[best_child][best_slot])) {
-                    best_child = c;
-                    best_slot = slot;
-                }
-        is_placed[best_child] = true;
-        child_in[best_slot] = static_cast<int>(best_child);
+    std::array<double, 256> best;
+    std::array<std::uint8_t, 256> last_slot{};
+    best.fill(-std::numeric_limits<double>::infinity());
+    best[0] = 0;
+    std::size_t all = 0;  // of the sets as large as there are children the best
+    for (std::size_t taken = 0; taken < 256; ++taken) {
+        const auto c = static_cast<std::size_t>(std::popcount(taken));
+        if (c == count && (all == 0 || best[taken] > best[all])) all = taken;
+        for (std::size_t slot = 0; slot < 8 && c < count; ++slot) {
+            const std::size_t next = taken | std::size_t{1} << slot;
+            if (next == taken || !(best[taken] + gain[c][slot] > best[next])) continue;
+            best[next] = best[taken] + gain[c][slot];
+            last_slot[next] = static_cast<std::uint8_t>(slot);
+        }
+    }
+    std::array<int, 8> child_in;
+    child_in.fill(-1);
+    for (int c = children.count; c-- > 0;) {
+        child_in[last_slot[all]] = c;
+        all &= ~(std::size_t{1} << last_slot[all]);
     }
     return child_in;
 }

@@ -8,9 +8,6 @@
 
 namespace enfilade::render::cuda {
 
-/// Threads of a block whose walks keep their short stacks together.
-inline constexpr int wide_block = 128;
-
 /// What waits: the deepest entries in the multiprocessor's own memory, all others in the thread's. A local of the
 /// kernel's, apart from the walk, whose numbers then stay in registers.
 template <int size>
@@ -36,8 +33,8 @@ private:
 #if defined(__CUDA_ARCH__)
     static constexpr int near_count = 8;
     static __device__ __forceinline__ WideGroup& near_entry(int k) {
-        __shared__ WideGroup entries[near_count * wide_block];
-        return entries[k * wide_block + static_cast<int>(threadIdx.x)];
+        __shared__ WideGroup entries[near_count * bvh_block];
+        return entries[k * bvh_block + static_cast<int>(threadIdx.x)];
     }
     WideGroup own_[size - near_count];
 #else

@@ -15,8 +15,9 @@ namespace enfilade::test {
 struct TriedForest {
     explicit TriedForest(const accel::SceneView& view, std::uint32_t largest_leaf = 8, float split_share = 0)
         : scene(view),
-          forest(build_forest(scene, {.largest_leaf = largest_leaf, .split_share = split_share},
-                              accel::SerialExecutor())) {}
+          forest(build_forest(
+              scene, {.largest_leaf = largest_leaf, .split_share = split_share, .mesh_split_share = split_share},
+              accel::SerialExecutor())) {}
     render::cuda::TriangleScene scene;
     render::cuda::BvhForest forest;
 };

@@ -320,7 +320,8 @@ TEST_P(BvhBaselines, WithoutTriangleSeeNothing) {
 TEST_P(BvhBaselines, TellWhatTheyTake) {
     const accel::Scene scene = test::room_of_meshes({test::ball_mesh(64, 1)});
     const auto bytes = [&](BvhKind kind) {
-        const BvhBaseline baseline(device(), scene.view(), {.kind = kind, .split_share = 0}, one_);
+        const BvhBaseline baseline(device(), scene.view(), {.kind = kind, .split_share = 0, .mesh_split_share = 0},
+                                   one_);
         EXPECT_GT(baseline.bytes(), baseline.tree_bytes());
         EXPECT_EQ(baseline.record_count(), 2u * 128 * 64 - 2 * 128 + 12 + 1) << "poles have no area; room; instance";
         return static_cast<double>(baseline.tree_bytes()) / static_cast<double>(baseline.record_count());
