@@ -1,12 +1,20 @@
 #pragma once
 // Octrees inside of objects in the layout that warps read best, for walks through furnished rooms (object_walk.h).
-// Header-only, for host and device.
+// Walks are header-only, for host and device.
 
+#include "accel/octree/linked_octree.h"
 #include "accel/scene.h"
 #include "render/cuda/octree_travel.h"
 #include "render/object_walk.h"
 
 namespace enfilade::render {
+
+namespace cuda {
+class DeviceArrays;
+/// Of a tree on the host; released with the arrays. \throws CudaError
+[[nodiscard]] RecordTree copy_records(const accel::LinkedOctree& tree, DeviceArrays& arrays);
+}  // namespace cuda
+
 inline namespace ENFILADE_ISA {
 
 /// An octree for each mesh of the scene: as OctreeTrees, with the same answers.
