@@ -12,3 +12,10 @@
 #else
 #define ENFILADE_HD_COLD __attribute__((noinline, cold))
 #endif
+/// Compiled for both, and inlined where the compiler thinks that it pays: for functions in unnamed namespaces alone, of
+/// which each instruction set has its own.
+#if defined(__CUDACC__)
+#define ENFILADE_HD_FREE __host__ __device__
+#else
+#define ENFILADE_HD_FREE
+#endif

@@ -81,7 +81,7 @@ struct SegmentJob {
 /// The loops for one instruction set, one ray at a time.
 struct Kernels {
     const char* name;
-    void (*lambert_tile)(const TileJob&);  ///< one ray a pixel, lamp at the eye; to rgb or rgba
+    void (*lambert_tile)(const TileJob&);  ///< one ray a pixel, a lamp at the eye or `lamps` alone; to rgb or rgba
     void (*look_tile)(const TileJob&);     ///< sun, sky and darkened corners; to rgb
     void (*rays_float)(const RayJob&);
     void (*rays_double)(const RayJob&);

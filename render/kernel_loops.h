@@ -5,6 +5,7 @@
 #include "render/block_streams.h"
 #include "render/kernel.h"
 #include "render/lambert.h"
+#include "render/lit_pixel.h"
 #include "render/path_loops.h"
 #include "render/ray_loops.h"
 #include "render/rooms.h"
@@ -22,6 +23,15 @@ void lambert_rows(const detail::TileJob& job, const Rooms& rooms, Events& events
     const LambertPicture picture = {&scene, &camera, job.look, job.start_cell, job.mirror_floor};
     for (int y = job.y0; y < job.y1; ++y)
         for (int x = job.x0; x < job.x1; ++x) store(job, x, y, lambert_pixel<T>(picture, rooms, x, y, events));
+}
+
+template <class T, class Rooms, class Events>
+void lit_rows(const detail::TileJob& job, const Rooms& rooms, Events& events) {
+    const accel::SceneView scene = *job.scene;
+    const CameraFrame camera = *job.camera;
+    const LitPicture picture = {&scene, &camera, job.look, job.lamps, job.start_cell, job.mirror_floor};
+    for (int y = job.y0; y < job.y1; ++y)
+        for (int x = job.x0; x < job.x1; ++x) store(job, x, y, lit_pixel<T>(picture, rooms, x, y, events));
 }
 
 template <class Job, class Body>
@@ -50,8 +60,16 @@ void look_tile(const detail::TileJob& job) {
     });
 }
 
+void lit_tile(const detail::TileJob& job) {
+    if (job.scene->has_looks()) return look_tile(job);
+    traced(job, [&](const auto& rooms, auto& events) {
+        if (job.is_double) lit_rows<double>(job, rooms, events);
+        else lit_rows<float>(job, rooms, events);
+    });
+}
+
 void lambert_tile(const detail::TileJob& job) {
-    if (job.lamps != nullptr) return look_tile(job);
+    if (job.lamps != nullptr) return lit_tile(job);
 #if ENFILADE_WIDE_SIDES
     if (suits_blocks(job) && !job.is_double) return lambert_blocks(job);
 #endif

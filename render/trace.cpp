@@ -1,11 +1,12 @@
 #include "render/trace.h"
 
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 #include "base/error.h"
 #include "render/executor.h"
 #include "render/kernel.h"
+#include "render/picture_setup.h"
 
 namespace enfilade::render {
 namespace {
@@ -42,8 +43,6 @@ void validate(const TraceOptions& options) {
     if (!is_power_of_two(sizes.largest) || !is_power_of_two(sizes.smallest) || sizes.largest < 16 ||
         sizes.largest > 256 || sizes.smallest < 4 || sizes.smallest > sizes.largest)
         refuse("packets are powers of two: the largest 16 to 256 pixels a side, the smallest from 4 up to that");
-    if (!(options.mirror_floor >= 0 && options.mirror_floor <= 1))
-        refuse("a floor mirrors a share of the light between 0 and 1");
     if (options.precision == Precision::Double && options.tracer != Tracer::Scalar)
         refuse("only the scalar tracer walks in double precision");
 }
@@ -63,39 +62,22 @@ auto lambert_kernel(Tracer tracer, const detail::TileJob& job) {
     return tracer == Tracer::Simd ? lanes->simd_tile : lanes->packet_tile;
 }
 
-/// own: holds the trees where the caller brings none.
-Lamps prepared(const accel::SceneView& scene, const LampOptions& options, const accel::Executor& executor,
-               accel::LightTrees& own) {
-    const bool needs_trees = options.search != LampSearch::Naive;
-    if (needs_trees && !options.trees)
-        own = accel::build_light_trees(scene, {.trees = options.search == LampSearch::Tree}, executor);
-    return {options.trees ? *options.trees : own.view(), options.search, options.exposure};
-}
-
 }  // namespace
 
 Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOptions& options) {
     validate(options);
-    const CameraFrame frame = make_frame(camera);
-    // A lamp at the eye alone shows plain colours, whoever traces, with any number of samples.
-    accel::SceneView plain_scene = scene;
-    if (options.shading == Shading::Lambert && !options.lamps) plain_scene.material_looks = {};
+    const detail::PictureSetup setup = detail::set_up(scene, camera, options);
     detail::TileJob job = {};
-    job.scene = &plain_scene;
-    job.camera = &frame;
-    job.look = &options.look;
-    job.samples_a_side = std::max(1, static_cast<int>(std::ceil(std::sqrt(std::max(1, options.samples_per_pixel)))));
+    job.scene = &setup.scene;
+    job.camera = &setup.frame;
+    job.look = &setup.look;
+    job.samples_a_side = setup.samples_a_side;
+    job.start_cell = setup.start_cell;
+    job.is_cut = setup.is_cut;
+    job.cut_z = setup.cut_z;
     job.mirror_floor = options.mirror_floor;
     job.packets = options.packets;
     job.is_double = options.precision == Precision::Double;
-    job.is_cut = options.cut_z.has_value();
-    if (job.is_cut) {
-        job.cut_z = static_cast<float>(*options.cut_z);
-        if (!(frame.origin.z > job.cut_z))
-            throw InputError("R3", "", "the camera stands below the height at which the building is cut; move it up");
-    } else {
-        job.start_cell = static_cast<std::uint32_t>(options.start ? *options.start : start_cell(scene, frame));
-    }
     Image image(camera.width, camera.height);
     job.rgb = image.rgb.data();
     job.width = camera.width;
@@ -111,16 +93,10 @@ Image trace(const accel::SceneView& scene, const Camera& camera, const TraceOpti
     accel::LightTrees own_trees;
     Lamps lamps;
     if (options.lamps) {
-        lamps = prepared(scene, *options.lamps, executor, own_trees);
+        lamps = detail::prepared(scene, *options.lamps, executor, own_trees);
         job.lamps = &lamps;
     }
-    const bool is_plain = options.shading == Shading::Lambert && !job.is_cut && job.samples_a_side == 1;
-    Look plain_look;
-    if (options.shading == Shading::Lambert && (!is_plain || job.lamps != nullptr)) {
-        plain_look = lambert_look(options.look);
-        job.look = &plain_look;
-    }
-    run_tiles(executor, camera, job, is_plain ? lambert_kernel(options.tracer, job) : detail::kernels().look_tile,
+    run_tiles(executor, camera, job, setup.is_plain ? lambert_kernel(options.tracer, job) : detail::kernels().look_tile,
               options.stats);
     return image;
 }

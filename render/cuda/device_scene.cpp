@@ -22,14 +22,13 @@ accel::SceneView copy_scene(const accel::SceneView& scene, DeviceArrays& arrays)
          copy.side_face_portals, copy.portals, copy.tints, copy.source_faces, copy.materials);
     move(copy.meshes, copy.mesh_vertices, copy.mesh_triangles, copy.objects, copy.cell_object_offsets,
          copy.cell_objects);
+    move(copy.locator_nodes, copy.locator_cells);  // dollhouses ask where rays fall through the cut
     move(copy.lights, copy.material_looks, copy.textures, copy.texels, copy.mesh_texcoords, copy.face_frames);
     // What no ray reads stays where it is, and is not to be had there.
     copy.vertices = {};
     copy.spaces = {};
     copy.text_offsets = {};
     copy.text = {};
-    copy.locator_nodes = {};
-    copy.locator_cells = {};
     return copy;
 }
 
