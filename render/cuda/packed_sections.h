@@ -72,6 +72,14 @@ struct PackedScene : accel::SceneView {
     const PackedStack* packed_stacks;
 };
 
+// What the walk reads (render/walk.h, object_walk.h): beside the functions for a SceneView, those for records.
+using render::left_lines;
+using render::line_at;
+using render::most_lines;
+using render::objects_of;
+using render::stack_face;
+using render::walked_cell;
+
 template <bool pairs>
 ENFILADE_HD PackedCell walked_cell(const PackedScene<pairs>& scene, std::uint32_t cell) {
     return load_record(scene.packed_cells + cell);
@@ -145,15 +153,17 @@ ENFILADE_HD std::uint32_t left_lines(const PackedScene<pairs>& scene, const Ray<
     if constexpr (pairs) {
         const std::uint32_t stray = first & 1u;
         const Pair* at = reinterpret_cast<const Pair*>(scene.packed_lines + (first - stray));
-        const std::uint32_t pushed = (stray + count + 1) & ~1u;
-        for (std::uint32_t i = 0; i < pushed; i += 2) {
-            const Pair pair = load_record(at++);
+        const std::size_t count_of_pairs = (stray + count + 1) / 2;
+        for (std::size_t i = 0; i < count_of_pairs; ++i) {
+            const Pair pair = load_record(at + i);
             bits.push(side(pair.a));
             bits.push(side(pair.b));
         }
-        return (bits.in_order(pushed) >> stray) ^ ray.zero_mask;
+        return (bits.in_order(static_cast<std::uint32_t>(2 * count_of_pairs)) >> stray) ^ ray.zero_mask;
     } else {
-        for (std::uint32_t i = 0; i < count; ++i) bits.push(side(load_record(scene.packed_lines + first + i)));
+        const PackedLine* at = scene.packed_lines + first;
+        const std::size_t size = count;
+        for (std::size_t i = 0; i < size; ++i) bits.push(side(load_record(at + i)));
         return bits.in_order(count) ^ ray.zero_mask;
     }
 }

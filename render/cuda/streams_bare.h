@@ -29,7 +29,7 @@ struct DeferringKernel {
 /// Warps that stay and fetch rays (Aila and Laine 2009): as soon as `refill` lanes are idle, they get the next rays.
 template <class Scene, class Question>
 struct FetchingKernel {
-    static constexpr LaunchShape shape = {128, 8};
+    static constexpr LaunchShape shape = {128, 7};
     Scene scene;
     Question question;
     RayWork work;

@@ -1,5 +1,5 @@
 // What orders and schedules are for, counted without a card: lanes that work, and cells that a warp reads at a time.
-// ENFILADE_STREAM_FIGURES=1 prints the table of render/cuda/README.md.
+// ENFILADE_STREAM_FIGURES=FILE.enf prints the table of render/cuda/README.md, for that scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <string>
 
 #include "accel/assemble.h"
+#include "accel/scene_file.h"
 #include "render/camera.h"
 #include "render/cuda/ray_order.h"
 #include "render/cuda/streams_rays.h"
@@ -23,7 +24,8 @@ namespace {
 class StreamDivergence : public testing::Test {
 protected:
     StreamDivergence()
-        : scene_(accel::assemble(test::synthetic_office({.rooms_per_row = 15, .rows = 9, .turn = 0.3}))) {
+        : scene_(is_figure() ? accel::open(std::getenv("ENFILADE_STREAM_FIGURES"))
+                             : accel::assemble(test::synthetic_office({.rooms_per_row = 15, .rows = 9, .turn = 0.3}))) {
         Rays given;
         for (const RayPicture& picture : pictures()) given.add(bounce_rays(*device_, scene_.view(), picture, 1));
         count(given, "as given");
