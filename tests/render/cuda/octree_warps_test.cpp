@@ -78,6 +78,19 @@ TEST_F(OctreeWarps, FetchingRaysKeepsLanesAtWork) {
     EXPECT_LT(fetched.steps, fixed.steps);
 }
 
+TEST_F(OctreeWarps, LeavesForDevicesTakeFewerLoadsAndTurns) {
+    const auto count_with = [&](const accel::OctreeOptions& options) {
+        const DeviceOctree octree(*device_, build_octree_arrays(*device_, mesh_.part(), options, cores_), {});
+        return count_octree_warps(std::get<RecordTree>(octree.tree()), job_, static_cast<std::uint32_t>(rays_.size()),
+                                  {});
+    };
+    const CountedWarps by_registers = count_with({}), one_by_one = count_with(device_octree_options());
+    const auto loads = [](const CountedWarps& work) { return work.looks + work.leaves + 3 * work.test_lanes; };
+    EXPECT_LT(2 * loads(one_by_one), loads(by_registers));
+    EXPECT_LT(2 * one_by_one.tests, by_registers.tests);
+    EXPECT_LT(one_by_one.leaves, 2 * by_registers.leaves);
+}
+
 TEST_F(OctreeWarps, RecordsAreFewerSectorsThanColumns) {
     const DeviceOctree columns(*device_, upload_octree(*device_, linked_), {TriangleLayout::Columns}),
         octant_leaves(*device_, upload_octree(*device_, linked_), {TriangleLayout::Records, true});
