@@ -82,7 +82,7 @@ private:
             row.same += is_same ? 1 : 0;
             if (!is_same && row.fault.empty()) row.fault = words(i, asked[i], wanted[i], got[i]);
         }
-        row.is_right = row.asked - row.same <= (must_be_exact ? 0 : allowed_to_differ(row.asked));
+        row.is_right = row.asked - row.same <= (must_be_exact ? 0 : allowed_to_differ(row.asked, way.is_ours));
         return row;
     }
 

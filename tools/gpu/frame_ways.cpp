@@ -1,12 +1,17 @@
 #include "tools/gpu/frame_ways.h"
 
 #include <optional>
+#include <span>
 
 #include "render/cuda/buffer.h"
 #include "render/cuda/device_objects.h"
 #include "render/cuda/device_scene.h"
 #include "render/cuda/packets.h"
 #include "render/cuda/pictures.h"
+#include "render/lamp_lists.h"
+#include "tools/gpu/baselines.h"
+#include "tools/gpu/inside_tracers.h"
+#include "tools/gpu/known_cells.h"
 
 namespace enfilade::tools::gpu {
 
@@ -86,6 +91,62 @@ FrameWay packets(const std::string& name, render::cuda::PacketTiles tiles, Insid
     return {name, true, false, kind_of(inside), open};
 }
 
+/// A general ray tracer. Lit, it is told the cell of each pixel and asks for the lamps of that cell's list.
+class BaselineFrames : public FrameMaker {
+public:
+    BaselineFrames(Device& device, const FrameScene& scene, const FrameTask& task,
+                   const render::cuda::BvhBaselineOptions& options, bool from_lamps, const accel::Executor& executor)
+        : device_(device),
+          scene_(scene.scene),
+          executor_(executor),
+          is_lit_(task.lamps.has_value()),
+          from_lamps_(from_lamps),
+          bvh_(device, scene.scene, options, executor) {
+        if (!is_lit_) return;
+        bvh_.set_lamps(scene.scene, render::lamp_lists(scene.trees), scene.exposure);
+        if (task.with_objects) inside_ = std::make_unique<InsideTracers>(scene.scene, executor);
+    }
+
+    void set_views(const std::vector<TriedView>& views, int side) override {
+        FrameMaker::set_views(views, side);
+        cells_.clear();
+        if (!is_lit_) return;
+        const render::ObjectTracer* objects = inside_ ? inside_->of(render::ObjectAccelKind::Plain) : nullptr;
+        for (const TriedView& view : views) {
+            const std::vector<std::uint32_t> cells = known_cells(scene_, view, side, objects, executor_);
+            cells_.emplace_back(device_, std::span<const std::uint32_t>(cells));
+        }
+    }
+    void draw(std::size_t view) override {
+        if (is_lit_) bvh_.draw_lit(frames_[view], side_, side_, cells_[view].data(), from_lamps_);
+        else bvh_.draw(frames_[view], side_, side_);
+    }
+    void read(render::Framebuffer& framebuffer) override { bvh_.read(framebuffer); }
+    std::size_t bytes() const override { return bvh_.bytes(); }
+
+private:
+    Device& device_;
+    accel::SceneView scene_;
+    const accel::Executor& executor_;
+    bool is_lit_, from_lamps_;
+    render::cuda::BvhBaseline bvh_;
+    std::unique_ptr<InsideTracers> inside_;
+    std::vector<render::cuda::Buffer<std::uint32_t>> cells_;
+};
+
+FrameWay baseline(const BaselineWay& way, bool from_lamps) {
+    const auto open = [=](Device& device, const FrameScene& scene, const FrameTask& task,
+                          const accel::Executor& executor) -> std::unique_ptr<FrameMaker> {
+        if (task.mirror_floor > 0 || task.lamps == render::LampSearch::Naive) return nullptr;
+        if (from_lamps && !task.lamps) return nullptr;
+        render::cuda::BvhBaselineOptions options = way.options;
+        options.with_objects = task.with_objects;
+        options.skin = task.lamps ? baseline_skin : 0;
+        return std::make_unique<BaselineFrames>(device, scene, task, options, from_lamps, executor);
+    };
+    return {way.name + (from_lamps ? ", from lamps" : ""), false, false, render::ObjectAccelKind::Plain, open};
+}
+
 }  // namespace
 
 std::vector<FrameTask> frame_tasks() {
@@ -100,8 +161,10 @@ std::vector<FrameTask> frame_tasks() {
             {"objects and lamps, trees", 0, true, LampSearch::Tree}};
 }
 
-const std::vector<FrameWay>& frame_ways() {
-    static const std::vector<FrameWay> ways = {
+namespace {
+
+std::vector<FrameWay> all_ways() {
+    std::vector<FrameWay> ways = {
         {"a thread a pixel", true, true, render::ObjectAccelKind::Octree, open_pixels},
         packets("packets 8:4", {8, 4}),
         packets("packets 8:8", {8, 8}),
@@ -111,6 +174,15 @@ const std::vector<FrameWay>& frame_ways() {
         packets("packets 64:8", {64, 8}),
         packets("packets 16:4, BVHs inside", {16, 4}, InsideKind::Bvh),
     };
+    for (const BaselineWay& way : baseline_ways())
+        for (const bool from_lamps : {false, true}) ways.push_back(baseline(way, from_lamps));
+    return ways;
+}
+
+}  // namespace
+
+const std::vector<FrameWay>& frame_ways() {
+    static const std::vector<FrameWay> ways = all_ways();
     return ways;
 }
 

@@ -3,6 +3,7 @@
 #include "accel/octree/rope_figures.h"
 #include "accel/octree/rope_octree.h"
 #include "render/mesh_trees.h"
+#include "tools/gpu/baselines.h"
 
 namespace enfilade::tools::gpu {
 
@@ -16,7 +17,8 @@ using render::cuda::OctreeSchedule;
 using render::cuda::TriangleLayout;
 
 accel::OctreeOptions options_of(MeshTree kind, std::size_t triangles) {
-    if (kind == MeshTree::Ours) return {};
+    if (kind == MeshTree::Ours) return render::cuda::device_octree_options();
+    if (kind == MeshTree::OursOfHost) return {};
     accel::OctreeOptions options = accel::paper_options(triangles);
     options.is_balanced = kind == MeshTree::PaperBalanced;
     return options;
@@ -60,6 +62,59 @@ MeshWay papers(const std::string& name, MeshTree kind, bool has_stored_boxes, bo
     return {name, true, false, kind, open};
 }
 
+/// A tree of boxes over the mesh's own triangles.
+class Baseline : public MeshMaker {
+public:
+    Baseline(Device& device, const MeshOnHost& mesh, const render::cuda::BvhBaselineOptions& options)
+        : bvh_(device, mesh.scene(), options, mesh.executor()) {}
+
+    void nearest(MeshRays& rays) override { bvh_.nearest(rays.rays.data(), rays.answers.data(), rays.rays.size()); }
+    std::vector<OctreeAnswer> answers(const MeshRays& rays) const override { return rays.answers.read(); }
+    std::size_t bytes() const override { return bvh_.tree_bytes(); }
+
+private:
+    render::cuda::BvhBaseline bvh_;
+};
+
+MeshWay baseline(const BaselineWay& way) {
+    const auto open = [way](Device& device, const MeshOnHost& mesh) -> std::unique_ptr<MeshMaker> {
+        render::cuda::BvhBaselineOptions options = way.options;
+        options.mesh = accel::MeshId{0};
+        return std::make_unique<Baseline>(device, mesh, options);
+    };
+    return {way.name, false, false, MeshTree::Ours, open};
+}
+
+std::vector<MeshWay> all_ways() {
+    using Kind = OctreeSchedule::Kind;
+    constexpr auto columns = TriangleLayout::Columns, records = TriangleLayout::Records,
+                   indexed = TriangleLayout::Indexed;
+    std::vector<MeshWay> ways = {
+        ours("octree: records", MeshTree::Ours, {records}, {.kind = Kind::WhileWhile}),
+        ours("octree: records, a leaf a turn", MeshTree::Ours, {records}, {.kind = Kind::PerLeaf}),
+        ours("octree: records, tests postponed", MeshTree::Ours, {records}, {.kind = Kind::Postponed}),
+        ours("octree: records, persistent 16, 4", MeshTree::Ours, {records},
+             {.kind = Kind::Persistent, .ready = 16, .idle = 4}),
+        ours("octree: records, persistent 24, 12", MeshTree::Ours, {records},
+             {.kind = Kind::Persistent, .ready = 24, .idle = 12}),
+        ours("octree: records, persistent 32, 16", MeshTree::Ours, {records},
+             {.kind = Kind::Persistent, .ready = 32, .idle = 16}),
+        ours("octree: records, leaves of 32 bytes", MeshTree::Ours, {records, false}, {.kind = Kind::WhileWhile}),
+        ours("octree: columns", MeshTree::Ours, {columns}, {.kind = Kind::WhileWhile}),
+        ours("octree: columns, a leaf a turn", MeshTree::Ours, {columns}, {.kind = Kind::PerLeaf}),
+        ours("octree: indexed", MeshTree::Ours, {indexed}, {.kind = Kind::WhileWhile}),
+        ours("octree: indexed, a leaf a turn", MeshTree::Ours, {indexed}, {.kind = Kind::PerLeaf}),
+        ours("octree: records, split as for a processor", MeshTree::OursOfHost, {records}, {.kind = Kind::WhileWhile}),
+        ours("octree: records, split as the paper's", MeshTree::PaperFree, {records}, {.kind = Kind::WhileWhile}),
+        papers("the paper's: balanced, stored boxes", MeshTree::PaperBalanced, true, false),
+        papers("the paper's: balanced, stored boxes, double", MeshTree::PaperBalanced, true, true),
+        papers("the paper's: balanced, computed boxes", MeshTree::PaperBalanced, false, false),
+        papers("the paper's: free, computed boxes", MeshTree::PaperFree, false, false),
+    };
+    for (const BaselineWay& way : baseline_ways()) ways.push_back(baseline(way));
+    return ways;
+}
+
 }  // namespace
 
 MeshOnHost::MeshOnHost(const accel::SceneView& scene, const accel::Executor& executor)
@@ -79,6 +134,16 @@ const accel::LinkedOctree& MeshOnHost::linked(MeshTree kind) const {
     return linked_.emplace(kind, accel::LinkedOctree(tree(kind), part_, executor_)).first->second;
 }
 
+render::cuda::OctreeArrays MeshOnHost::uploaded(Device& device, MeshTree kind) const {
+    render::cuda::OctreeArrays arrays = upload_octree(device, linked(kind));
+    if (kind != MeshTree::Ours || arrays.view.leaves == nullptr) return arrays;
+    const accel::Octree& built = tree(kind);
+    use_jump_levels(
+        device, built,
+        accel::jump_levels_for(built.frame.depth, built.leaves.size(), render::cuda::most_device_jump_levels), arrays);
+    return arrays;
+}
+
 void MeshRays::copy(Device& device) {
     const std::vector<render::cuda::OctreeRay> here = batch.rays();
     rays = {device, std::span<const render::cuda::OctreeRay>(here)};
@@ -86,30 +151,7 @@ void MeshRays::copy(Device& device) {
 }
 
 const std::vector<MeshWay>& mesh_ways() {
-    using Kind = OctreeSchedule::Kind;
-    constexpr auto columns = TriangleLayout::Columns, records = TriangleLayout::Records,
-                   indexed = TriangleLayout::Indexed;
-    static const std::vector<MeshWay> ways = {
-        ours("octree: records", MeshTree::Ours, {records}, {.kind = Kind::WhileWhile}),
-        ours("octree: records, a leaf a turn", MeshTree::Ours, {records}, {.kind = Kind::PerLeaf}),
-        ours("octree: records, tests postponed", MeshTree::Ours, {records}, {.kind = Kind::Postponed}),
-        ours("octree: records, persistent 16, 4", MeshTree::Ours, {records},
-             {.kind = Kind::Persistent, .ready = 16, .idle = 4}),
-        ours("octree: records, persistent 24, 12", MeshTree::Ours, {records},
-             {.kind = Kind::Persistent, .ready = 24, .idle = 12}),
-        ours("octree: records, persistent 32, 16", MeshTree::Ours, {records},
-             {.kind = Kind::Persistent, .ready = 32, .idle = 16}),
-        ours("octree: records, leaves of 32 bytes", MeshTree::Ours, {records, false}, {.kind = Kind::WhileWhile}),
-        ours("octree: columns", MeshTree::Ours, {columns}, {.kind = Kind::WhileWhile}),
-        ours("octree: columns, a leaf a turn", MeshTree::Ours, {columns}, {.kind = Kind::PerLeaf}),
-        ours("octree: indexed", MeshTree::Ours, {indexed}, {.kind = Kind::WhileWhile}),
-        ours("octree: indexed, a leaf a turn", MeshTree::Ours, {indexed}, {.kind = Kind::PerLeaf}),
-        ours("octree: records, split as the paper's", MeshTree::PaperFree, {records}, {.kind = Kind::WhileWhile}),
-        papers("the paper's: balanced, stored boxes", MeshTree::PaperBalanced, true, false),
-        papers("the paper's: balanced, stored boxes, double", MeshTree::PaperBalanced, true, true),
-        papers("the paper's: balanced, computed boxes", MeshTree::PaperBalanced, false, false),
-        papers("the paper's: free, computed boxes", MeshTree::PaperFree, false, false),
-    };
+    static const std::vector<MeshWay> ways = all_ways();
     return ways;
 }
 

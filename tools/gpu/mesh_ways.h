@@ -19,7 +19,8 @@ namespace enfilade::tools::gpu {
 
 /// Octrees that are measured.
 enum class MeshTree {
-    Ours,          ///< as deep as pays
+    Ours,          ///< as deep as pays on a device
+    OursOfHost,    ///< as deep as pays on a processor
     PaperFree,     ///< Portalez and Duguet's depth and leaves
     PaperBalanced  ///< the same with neighbours of one level's difference, as they have it
 };
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] const accel::Executor& executor() const { return executor_; }
     [[nodiscard]] const accel::Octree& tree(MeshTree kind) const;
     [[nodiscard]] const accel::LinkedOctree& linked(MeshTree kind) const;
+    /// Its arrays on a device, ours with the table of leaves that pays there.
+    [[nodiscard]] render::cuda::OctreeArrays uploaded(render::cuda::Device& device, MeshTree kind) const;
 
 private:
     accel::SceneView scene_;

@@ -21,11 +21,13 @@ accel::MaterialId one_of(accel::MaterialId material, std::size_t number) {
 
 }  // namespace
 
-OwnColours::OwnColours(const accel::SceneView& scene)
+OwnColours::OwnColours(const accel::SceneView& scene, bool has_clear_panes)
     : faces_(scene.source_faces.begin(), scene.source_faces.end()),
       triangles_(scene.mesh_triangles.begin(), scene.mesh_triangles.end()),
       objects_(scene.objects.begin(), scene.objects.end()),
+      tints_(scene.tints.begin(), scene.tints.end()),
       view_(scene) {
+    if (has_clear_panes) tints_.assign(tints_.size(), {1, 1, 1});
     for (const accel::Material& material : scene.materials)
         for (std::uint32_t k = 0; k < hues; ++k) {
             const auto number = static_cast<std::uint32_t>(materials_.size());
@@ -42,6 +44,7 @@ OwnColours::OwnColours(const accel::SceneView& scene)
     view_.material_looks = {looks_.data(), looks_.size()};
     view_.source_faces = {faces_.data(), faces_.size()};
     view_.mesh_triangles = {triangles_.data(), triangles_.size()};
+    view_.tints = {tints_.data(), tints_.size()};
     view_.objects = {objects_.data(), objects_.size()};
 }
 

@@ -13,7 +13,8 @@ namespace enfilade::tools::gpu {
 /// (mirrors, glass, textures) stays what it was.
 class OwnColours {
 public:
-    explicit OwnColours(const accel::SceneView& scene);
+    /// has_clear_panes: glass between rooms tints nothing, for tracers that know of faces alone
+    explicit OwnColours(const accel::SceneView& scene, bool has_clear_panes = false);
     [[nodiscard]] const accel::SceneView& view() const { return view_; }
 
 private:
@@ -22,6 +23,7 @@ private:
     std::vector<accel::SourceFace> faces_;
     std::vector<accel::MeshTriangle> triangles_;
     std::vector<accel::PlacedObject> objects_;
+    std::vector<accel::Vertex> tints_;
     accel::SceneView view_;
 };
 

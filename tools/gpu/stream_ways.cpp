@@ -1,6 +1,6 @@
 #include "tools/gpu/stream_ways.h"
 
-#include <optional>
+#include "tools/gpu/baselines.h"
 
 namespace enfilade::tools::gpu {
 
@@ -27,6 +27,31 @@ private:
     render::cuda::DeviceStream stream_;
 };
 
+class Baseline : public StreamMaker {
+public:
+    Baseline(Device& device, const accel::SceneView& scene, const render::cuda::BvhBaselineOptions& options,
+             const accel::Executor& executor)
+        : bvh_(device, scene, options, executor) {}
+
+    void nearest(const DeviceRays& rays, const DeviceHits& hits) override { bvh_.nearest(rays, hits); }
+    void visible(const DeviceSegments& segments, std::uint8_t* visible) override { bvh_.visible(segments, visible); }
+    std::size_t bytes() const override { return bvh_.bytes(); }
+
+private:
+    render::cuda::BvhBaseline bvh_;
+};
+
+StreamWay baseline(const BaselineWay& way) {
+    const auto open = [way](Device& device, const accel::SceneView& scene, bool with_objects,
+                            const accel::Executor& executor) -> std::unique_ptr<StreamMaker> {
+        render::cuda::BvhBaselineOptions options = way.options;
+        options.with_objects = with_objects;
+        options.skin = baseline_skin;
+        return std::make_unique<Baseline>(device, scene, options, executor);
+    };
+    return {way.name, false, false, render::ObjectAccelKind::Plain, open};
+}
+
 /// Where a schedule is at home.
 enum class In { BareAndFurnished, Furnished };
 
@@ -43,14 +68,12 @@ StreamWay walks(const std::string& name, In rooms, InsideKind inside, DeviceStre
     return {name, true, true, kind, open};
 }
 
-}  // namespace
-
-const std::vector<StreamWay>& stream_ways() {
+std::vector<StreamWay> all_ways() {
     using render::cuda::RayOrder;
     using render::cuda::SectionLayout;
     using render::cuda::StreamSchedule;
     constexpr InsideKind octree = InsideKind::Octree, bvh = InsideKind::Bvh;
-    static const std::vector<StreamWay> ways = {
+    std::vector<StreamWay> ways = {
         walks("cells: whole", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Whole}),
         walks("cells: deferred", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Deferred}),
         walks("cells: deferred, lines by columns", In::BareAndFurnished, octree,
@@ -64,6 +87,8 @@ const std::vector<StreamWay>& stream_ways() {
         walks("cells: persistent", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Persistent}),
         walks("cells: persistent, refilled at 4", In::BareAndFurnished, octree,
               {.schedule = StreamSchedule::Persistent, .refill = 4}),
+        walks("cells: persistent, refilled at 24", In::BareAndFurnished, octree,
+              {.schedule = StreamSchedule::Persistent, .refill = 24}),
         walks("cells: compacted", In::Furnished, octree, {.schedule = StreamSchedule::Compacted}),
         walks("cells: compacted, questions unsorted", In::Furnished, octree,
               {.schedule = StreamSchedule::Compacted, .sorts_questions = false}),
@@ -71,6 +96,14 @@ const std::vector<StreamWay>& stream_ways() {
         walks("cells: persistent, BVHs inside", In::Furnished, bvh, {.schedule = StreamSchedule::Persistent}),
         walks("cells: compacted, BVHs inside", In::Furnished, bvh, {.schedule = StreamSchedule::Compacted}),
     };
+    for (const BaselineWay& way : baseline_ways()) ways.push_back(baseline(way));
+    return ways;
+}
+
+}  // namespace
+
+const std::vector<StreamWay>& stream_ways() {
+    static const std::vector<StreamWay> ways = all_ways();
     return ways;
 }
 
