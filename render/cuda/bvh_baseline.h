@@ -29,7 +29,7 @@ struct BvhBaselineOptions {
     TriangleTest test = TriangleTest::Fast;
     bool with_objects = true;           ///< else rooms are bare
     std::optional<accel::MeshId> mesh;  ///< this mesh alone, in its own space, instead of the scene
-    float split_share = 1;  ///< so many more boxes than triangles faces are split into (triangle_entries); 0: none
+    float split_share = 2;  ///< so many more boxes than triangles faces are split into (triangle_entries); 0: none
     float mesh_split_share = 0.3f;  ///< the same of meshes, whose triangles are small
     float skin = 0;  ///< metres: hits nearer to a ray's origin, or to the ends of a segment, do not count
     BvhSchedule schedule;

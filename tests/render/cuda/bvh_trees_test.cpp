@@ -10,6 +10,7 @@
 
 #include "render/cuda/bvh2.h"
 #include "render/cuda/wide_bvh.h"
+#include "render/cuda/wide_collapse.h"
 #include "tests/support/bvh_scenes.h"
 
 namespace enfilade::render::cuda {
@@ -194,6 +195,38 @@ TEST(BvhTrees, AreNoDeeperThanStacksWhateverTheTriangles) {
     expect_right_trees(test::room_of_meshes({test::soup(equal), test::soup(shrinking), test::soup(growing),
                                              test::random_soup(3000, 0.001f, 7), test::random_soup(1000, 1, 8)})
                            .view());
+}
+
+/// What is left to do where costs would make too deep a tree.
+TEST(BvhTrees, CollapsedByHeightTakeThreeLevelsAtLeastInOne) {
+    std::vector<std::array<std::array<float, 3>, 3>> shrinking;
+    for (int i = 0; i < 100; ++i) {
+        const float s = std::ldexp(1.0f, -i);
+        shrinking.push_back({{{0, 0, 0}, {s, 0, 0}, {0, s, s}}});
+    }
+    const accel::Scene scene = test::room_of_meshes({test::soup(shrinking), test::random_soup(3000, 0.01f, 7)});
+    const TriedForest tried(scene.view(), 1);
+    for (const SahTree& tree : tried.forest.meshes) {
+        std::function<int(std::uint32_t)> height_of = [&](std::uint32_t code) {
+            if ((code & leaf_bit) != 0) return 0;
+            return 1 + std::max(height_of(tree.nodes[code].child[0]), height_of(tree.nodes[code].child[1]));
+        };
+        WideCollapse collapse(tree, instance_bit);
+        collapse.choose_by_height();
+        EXPECT_LE(collapse.depth(), (height_of(0) + 2) / 3);
+        std::map<std::uint32_t, int> times;
+        std::function<void(std::uint32_t)> visit = [&](std::uint32_t node) {
+            const WideChildren children = collapse.children_of(node);
+            for (int c = 0; c < children.count; ++c) {
+                const WideChild& child = children.of[static_cast<std::size_t>(c)];
+                if (child.item_count == 0) visit(child.node);
+                for (std::uint32_t i = 0; i < child.item_count; ++i) ++times[child.items[i]];
+            }
+        };
+        visit(0);
+        EXPECT_EQ(times.size(), tree.order.size());
+        for (const auto& [item, count] : times) EXPECT_EQ(count, 1);
+    }
 }
 
 TEST(BvhTrees, MayBeEmptyFlatOrOfOneTriangle) {
