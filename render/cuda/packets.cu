@@ -34,14 +34,18 @@ PacketView view_of(const PacketJob& job) {
 
 void draw_packets(Device& device, const PacketJob& job) {
     const PacketView view = view_of(job);
-    if (job.objects != nullptr && view.scene.has_objects()) return draw_furnished_packets(device, view, *job.objects);
-    for_each_warp(device, warps_of(view), PacketKernel<BareRooms>{view, {}});
+    const DeviceObjects* objects = view.scene.has_objects() ? job.objects : nullptr;
+    if (job.lamps != nullptr) return draw_lit_packets(device, view, *job.lamps);
+    if (objects != nullptr) return draw_furnished_packets(device, view, *objects);
+    draw_all(device, view, BareRooms{}, EyeLight{});
 }
 
 PacketCounts count_packets(const PacketJob& job) {
     const PacketView view = view_of(job);
-    if (job.objects != nullptr && view.scene.has_objects()) return count_furnished_packets(view, *job.objects);
-    return counts_of(view, BareRooms{});
+    const DeviceObjects* objects = view.scene.has_objects() ? job.objects : nullptr;
+    if (job.lamps != nullptr) return count_lit_packets(view, *job.lamps);
+    if (objects != nullptr) return count_furnished_packets(view, *objects);
+    return counts_of(view, BareRooms{}, EyeLight{});
 }
 
 }  // namespace enfilade::render::cuda

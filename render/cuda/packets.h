@@ -7,6 +7,7 @@
 #include "render/cuda/device.h"
 #include "render/cuda/device_objects.h"
 #include "render/cuda/packets_counts.h"
+#include "render/lamps.h"
 #include "render/look.h"
 
 namespace enfilade::render::cuda {
@@ -29,6 +30,8 @@ struct PacketJob {
     std::uint32_t* rgba;  ///< [width * height], aligned to 16 bytes
     PacketTiles tiles;
     const DeviceObjects* objects = nullptr;  ///< nullptr: rooms are seen without what stands in them
+    /// Of LampSearch::Tree (copy_trees), for bare rooms: `objects` is not read then. nullptr: a lamp at the eye
+    const Lamps* lamps = nullptr;
 };
 
 /// Asks for the picture: every pixel is written once, whatever the size. \pre the tiles are sound

@@ -57,7 +57,8 @@ ENFILADE_HD float saturated(float a) {
 enum class PaintKind : std::uint32_t {
     Face,    ///< one face: its root is taken, colours are roots of 255 parts
     Layers,  ///< a mirror's floor, or none, and what it shows: a face
-    Sky      ///< the same, of the sky
+    Sky,     ///< the same, of the sky
+    Lamps    ///< one face, lit by lamps (packets_lamps.h)
 };
 
 /// What fills a tile.

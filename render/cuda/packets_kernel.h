@@ -7,6 +7,7 @@
 #include "render/cuda/launch.h"
 #include "render/cuda/packets_counts.h"
 #include "render/cuda/packets_fill.h"
+#include "render/cuda/packets_lamps.h"
 #include "render/cuda/packets_objects.h"
 #include "render/cuda/packets_pixel.h"
 #include "render/cuda/packets_view.h"
@@ -34,6 +35,7 @@ ENFILADE_HD std::uint32_t full_groups(std::uint32_t lanes) {
 }
 
 /// What the lanes of a warp tell each other.
+template <class Light>
 struct PacketMemory {
     // Two tiles are taken, eight put back: each halving but the last leaves six more than the one before.
     static constexpr int most_waiting = 8 + 6 * (PacketView::most_halvings - 1);
@@ -43,6 +45,7 @@ struct PacketMemory {
     Paint paints[warp_tiles];          ///< of those that are filled
     std::uint32_t filled[warp_tiles];  ///< which these are
     std::uint32_t parted[warp_tiles];  ///< and whose corners did not agree
+    typename Light::Memory light;
 };
 
 enum class TileEnd : std::uint32_t { Absent, Walking, Filled, Parted };
@@ -58,12 +61,15 @@ struct CornerRay {
 
 /// Lane k has the corner of tile k / 4 on the right (bit 0 of k), below (bit 1). What its corners share is in memory,
 /// written by the first of them.
-template <class Rooms, class Events>
+/// Light: what lights the picture (packets_lamps.h).
+template <class Rooms, class Light, class Events>
 class PacketWarp {
 public:
-    ENFILADE_HD PacketWarp(const PacketView& view, const Rooms& rooms, const Warp& warp, PacketMemory& memory,
-                           Events& events)
-        : view_(view), rooms_(rooms), warp_(warp), memory_(memory), events_(events) {}
+    using Memory = PacketMemory<Light>;
+
+    ENFILADE_HD PacketWarp(const PacketView& view, const Rooms& rooms, const Light& light, const Warp& warp,
+                           Memory& memory, Events& events)
+        : view_(view), rooms_(rooms), light_(light), warp_(warp), memory_(memory), events_(events) {}
 
     /// The w-th rectangle of 4 x 2 of the largest tiles.
     ENFILADE_HD void draw(std::uint64_t w) {
@@ -91,7 +97,8 @@ public:
                 quarter.y += (lane >> 1 & 1) << log_side;
             }
         }
-        if (are_astray_) draw_astray(left << view_.log_largest, top << view_.log_largest);
+        if constexpr (!Light::has_lamps)
+            if (are_astray_) draw_astray(left << view_.log_largest, top << view_.log_largest);
     }
 
 private:
@@ -143,6 +150,7 @@ private:
             for (const int lane : warp_.lanes()) is[lane] = ends[lane] == TileEnd::Walking;
             walking = warp_.ballot(is);
         }
+        if constexpr (Light::has_lamps) ask_lamps(tiles, side, ends);
         for (const int lane : warp_.lanes()) is[lane] = ends[lane] == TileEnd::Filled;
         filled = full_groups(warp_.ballot(is));
         for (const int lane : warp_.lanes()) {
@@ -154,16 +162,55 @@ private:
         parted = full_groups(warp_.ballot(is));
     }
 
-    [[nodiscard]] ENFILADE_HD CornerRay corner_of(const Bundle& tile, int side, int corner) const {
+    /// Which lamps light the tiles that end at faces; where that is not told by their corners, they part.
+    ENFILADE_HD void ask_lamps(int tiles, int side, PerLane<TileEnd>& ends) {
+        PerLane<bool> asks, undecided;
+        PerLane<Vec3f> places;
+        warp_.meet();
+        for (const int lane : warp_.lanes()) {
+            const auto number = static_cast<std::uint32_t>(lane >> 2);
+            asks[lane] =
+                lane >> 2 < tiles && ends[lane] == TileEnd::Filled && memory_.paints[number].kind == PaintKind::Lamps;
+            places[lane] = {0, 0, 0};
+            if (!asks[lane]) continue;
+            const Pixel corner = corner_pixel(memory_.tiles[number], side, lane & 3);
+            // Where a ray runs along its face no number is sound: not even one corner may decide then.
+            if (!place_on(view_, memory_.light.faces[number], static_cast<float>(corner.x) + 0.5f,
+                          static_cast<float>(corner.y) + 0.5f, places[lane]))
+                ends[lane] = TileEnd::Parted;
+        }
+        part_together(asks, ends);
+        for (const int lane : warp_.lanes()) asks[lane] = asks[lane] && ends[lane] == TileEnd::Filled;
+        TileLamps(view_, light_.lamps, warp_, memory_.light).decide(asks, places, undecided);
+        for (const int lane : warp_.lanes())
+            if (asks[lane] && undecided[lane]) ends[lane] = TileEnd::Parted;
+    }
+
+    /// Tiles of which a corner has parted part.
+    ENFILADE_HD void part_together(const PerLane<bool>& asked, PerLane<TileEnd>& ends) {
+        PerLane<bool> stays;
+        for (const int lane : warp_.lanes()) stays[lane] = asked[lane] && ends[lane] == TileEnd::Filled;
+        const std::uint32_t whole = full_groups(warp_.ballot(stays));
+        for (const int lane : warp_.lanes())
+            if (asked[lane] && (whole >> (lane >> 2) & 1u) == 0) ends[lane] = TileEnd::Parted;
+    }
+
+    struct Pixel {
+        int x, y;
+    };
+    [[nodiscard]] ENFILADE_HD Pixel corner_pixel(const Bundle& tile, int side, int corner) const {
         const int right = tile.x + side < view_.width ? tile.x + side : view_.width;
         const int below = tile.y + side < view_.height ? tile.y + side : view_.height;
-        CornerRay result = {
-            ray_of(view_, tile, (corner & 1) != 0 ? right - 1 : tile.x, (corner & 2) != 0 ? below - 1 : tile.y),
-            tile.cell,
-            0,
-            tile.is_mirrored(),
-            {}};
-        if constexpr (Rooms::are_furnished) result.plane = TilePlane::of(view_, tile, right, below, corner);
+        return {(corner & 1) != 0 ? right - 1 : tile.x, (corner & 2) != 0 ? below - 1 : tile.y};
+    }
+
+    [[nodiscard]] ENFILADE_HD CornerRay corner_of(const Bundle& tile, int side, int corner) const {
+        const Pixel pixel = corner_pixel(tile, side, corner);
+        CornerRay result = {ray_of(view_, tile, pixel.x, pixel.y), tile.cell, 0, tile.is_mirrored(), {}};
+        if constexpr (Rooms::are_furnished) {
+            const Pixel last = corner_pixel(tile, side, 3);
+            result.plane = TilePlane::of(view_, tile, last.x + 1, last.y + 1, corner);
+        }
         return result;
     }
 
@@ -235,13 +282,25 @@ private:
             if (is_first && exit.target.is_glass()) pass_glass(view_, exit, tile, events_);
             corner.cell = static_cast<std::uint32_t>(exit.target.neighbour());
         } else if (meets_mirror(view_, exit, corner.is_mirrored)) {
+            if constexpr (Light::has_lamps) {
+                end = TileEnd::Parted;  // two faces, each with its own lamps: pixel by pixel
+                return;
+            }
             if (is_first) reflect(view_, exit, tile);
             corner.ray = mirrored(corner.ray, view_.scene.cells[corner.cell].z_floor);
             corner.is_mirrored = true;
             corner.plane.normal.z = -corner.plane.normal.z;
         } else {
-            if (is_first) memory_.paints[lane >> 2] = paint_of(view_, tile, exit);
             end = TileEnd::Filled;
+            if (is_first) memory_.paints[lane >> 2] = paint_of(view_, tile, exit);
+            if constexpr (Light::has_lamps) {
+                if (view_.scene.source_faces[exit.target.bits].surface == accel::Surface::Sky) return;
+                LitFace face;
+                if (!lit_face(view_, light_.lamps, tile, exit, face)) end = TileEnd::Parted;
+                if (!is_first) return;
+                memory_.light.faces[lane >> 2] = face;
+                memory_.paints[lane >> 2].kind = PaintKind::Lamps;
+            }
         }
     }
 
@@ -261,7 +320,12 @@ private:
                 if (x >= view_.width) continue;
                 const int end = top + (1 << log_side) < view_.height ? top + (1 << log_side) : view_.height;
                 const int y = top + (within >> log_across);
-                fill_columns(view_, paint, x, y, step, end);
+                bool has_lamps = false;
+                if constexpr (Light::has_lamps) {
+                    has_lamps = paint.kind == PaintKind::Lamps;
+                    if (has_lamps) fill_lit_columns(view_, memory_.light, memory_.filled[number], x, y, step, end);
+                }
+                if (!has_lamps) fill_columns(view_, paint, x, y, step, end);
                 const int columns = view_.width - x < 4 ? view_.width - x : 4;
                 if (y < end) events_.filled(static_cast<std::uint64_t>(columns * ((end - y + step - 1) / step)));
             }
@@ -283,7 +347,8 @@ private:
                 if (x >= view_.width || y >= view_.height) continue;
                 ++drawn;
                 Vec3f light;
-                is_astray[lane] = !PixelWay<Rooms, Events>(view_, rooms_, tile, x, y, events_).follow(light);
+                if constexpr (Light::has_lamps) light = lit_pixel_from_eye(view_, light_.lamps, rooms_, x, y);
+                else is_astray[lane] = !PixelWay<Rooms, Events>(view_, rooms_, tile, x, y, events_).follow(light);
                 *pixel_at(view_, x, y) = is_astray[lane] ? astray : encoded(light);
             }
             are_astray_ |= warp_.ballot(is_astray) != 0;
@@ -308,23 +373,25 @@ private:
 
     const PacketView& view_;
     const Rooms& rooms_;
+    const Light& light_;
     const Warp& warp_;
-    PacketMemory& memory_;
+    Memory& memory_;
     Events& events_;
     bool are_astray_ = false;
 };
 
 /// A warp's rectangle.
-template <class Rooms>
+template <class Rooms, class Light>
 struct PacketKernel {
-    static constexpr LaunchShape shape = {128, Rooms::are_furnished ? 4 : 6};
+    static constexpr LaunchShape shape = {128, Rooms::are_furnished || Light::has_lamps ? 4 : 6};
     PacketView view;
     Rooms rooms;
+    Light light;
 
     ENFILADE_HD void operator()(Warp warp, std::uint64_t w) const {
-        WarpMemory<PacketMemory, shape.block> memory;
+        WarpMemory<PacketMemory<Light>, shape.block> memory;
         NoPacketEvents none;
-        PacketWarp<Rooms, NoPacketEvents>(view, rooms, warp, memory.get(), none).draw(w);
+        PacketWarp<Rooms, Light, NoPacketEvents>(view, rooms, light, warp, memory.get(), none).draw(w);
     }
 };
 
@@ -334,19 +401,33 @@ inline std::uint64_t warps_of(const PacketView& view) {
     return std::uint64_t{view.across} * static_cast<std::uint64_t>((view.height + pixels_down - 1) / pixels_down);
 }
 
-/// All of them, one after the other, counted.
-template <class Rooms>
-PacketCounts counts_of(const PacketView& view, const Rooms& rooms) {
-    PacketMemory memory;
+template <class Rooms, class Light>
+void draw_all(Device& device, const PacketView& view, const Rooms& rooms, const Light& light) {
+    for_each_warp(device, warps_of(view), PacketKernel<Rooms, Light>{view, rooms, light});
+}
+
+/// One warp after the other, counted.
+template <class Rooms, class Light>
+PacketCounts counts_of(const PacketView& view, const Rooms& rooms, const Light& light) {
+    PacketMemory<Light> memory;
     PacketCounts counts;
     const Warp warp;
     for (std::uint64_t w = 0; w < warps_of(view); ++w)
-        PacketWarp<Rooms, PacketCounts>(view, rooms, warp, memory, counts).draw(w);
+        PacketWarp<Rooms, Light, PacketCounts>(view, rooms, light, warp, memory, counts).draw(w);
     return counts;
 }
 
-// In furnished rooms (packets_furnished.cu).
+/// Calls body(rooms) for what knows the inside of objects.
+template <class Body>
+auto among(const DeviceObjects& objects, const Body& body) {
+    if (objects.kind() == InsideKind::Octree) return body(RoomsWith<OctreeTrees>{objects.octrees()});
+    return body(RoomsWith<MeshTrees>{objects.bvhs()});
+}
+
+// Files of their own, for kernels take long to compile: furnished rooms; lamps.
 void draw_furnished_packets(Device& device, const PacketView& view, const DeviceObjects& objects);
 [[nodiscard]] PacketCounts count_furnished_packets(const PacketView& view, const DeviceObjects& objects);
+void draw_lit_packets(Device& device, const PacketView& view, const Lamps& lamps);
+[[nodiscard]] PacketCounts count_lit_packets(const PacketView& view, const Lamps& lamps);
 
 }  // namespace enfilade::render::cuda
