@@ -107,6 +107,45 @@ TEST_P(StreamVariants, AnswerAlikeInFurnishedRooms) {
     }
 }
 
+/// A scene whose cells have forgotten every third object that they share a place with.
+class ForgetfulScene {
+public:
+    explicit ForgetfulScene(const accel::SceneView& scene) : view_(scene) {
+        for (std::size_t cell = 0; cell < scene.cells.size(); ++cell) {
+            offsets_.push_back(static_cast<std::uint32_t>(objects_.size()));
+            for (std::uint32_t k = scene.cell_object_offsets[cell]; k < scene.cell_object_offsets[cell + 1]; ++k)
+                if ((cell + k) % 3 != 0) objects_.push_back(scene.cell_objects[k]);
+        }
+        offsets_.push_back(static_cast<std::uint32_t>(objects_.size()));
+        view_.cell_object_offsets = {offsets_.data(), offsets_.size()};
+        view_.cell_objects = {objects_.data(), objects_.size()};
+    }
+    [[nodiscard]] const accel::SceneView& view() const { return view_; }
+
+private:
+    accel::SceneView view_;
+    std::vector<std::uint32_t> offsets_;
+    std::vector<accel::ObjectId> objects_;
+};
+
+TEST_P(StreamVariants, CutObjectsOffWhereCellsDoNotListThem) {
+    const accel::Scene whole = test::furnished_office({.seed = 21, .objects = 150, .turn = 0.1});
+    const ForgetfulScene scene(whole.view());
+    const accel::SerialExecutor one;
+    const std::unique_ptr<ObjectAccel> accel = build_object_accel(scene.view(), ObjectAccelKind::Plain, one);
+    const ObjectTracer tracer = accel->tracer();
+    const test::RayTable rays = tried_rays(scene.view(), 1500, false);
+    const test::Answers expected = test::scalar_answers(scene.view(), rays, &tracer);
+    EXPECT_GT(test::count_differing(expected, test::scalar_answers(whole.view(), rays, &tracer)), 100u);
+    for (const StreamSchedule schedule : schedules) {
+        DeviceStreamOptions options;
+        options.inside = InsideKind::Bvh;
+        options.schedule = schedule;
+        DeviceStream stream(device(), scene.view(), options);
+        test::expect_same(device(), expected, test::RaysOnDevice(device(), rays).ask(stream));
+    }
+}
+
 TEST_P(StreamVariants, AnswerPartsOfOneRayEach) {
     const accel::Scene scene = test::furnished_office({.seed = 4});
     const accel::SerialExecutor one;
