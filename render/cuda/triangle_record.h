@@ -68,7 +68,8 @@ struct InstanceAt {
 
 ENFILADE_HD InstanceAt load_instance(const BvhInstance* instances, std::uint32_t k) {
     const auto* from = reinterpret_cast<const unsigned char*>(instances + k);
-    const Float4 a = load_float4(from), b = load_float4(from + 16), c = load_float4(from + 32), d = load_float4(from + 48);
+    const Float4 a = load_float4(from), b = load_float4(from + 16), c = load_float4(from + 32),
+                 d = load_float4(from + 48);
     return {{a.x, a.y, a.z}, {a.w, b.x, b.y}, {b.z, b.w, c.x}, {c.y, c.z, c.w},
             bits_of(d.x),    bits_of(d.y),    bits_of(d.z)};
 }
