@@ -26,18 +26,26 @@ struct TilePlane {
         return {normal};
     }
 
-    /// Whether all of an object's box lies beyond the plane, beyond doubt of rounding.
-    [[nodiscard]] ENFILADE_HD bool hides(const accel::PlacedObject& object, Vec3f eye) const {
+    /// Whether all of an object's box lies beyond the plane, beyond doubt of rounding. The box is its mesh's, turned as
+    /// it stands: what stands askew fills half of its box along the scene's axes.
+    [[nodiscard]] ENFILADE_HD bool hides(const accel::SceneView& scene, const accel::PlacedObject& object,
+                                         Vec3f eye) const {
         constexpr float noise = 0x1p-19f;
-        const auto* low = reinterpret_cast<const float*>(&object.low);
-        const auto* high = reinterpret_cast<const float*>(&object.high);
-        const Vec3f way = {0.5f * (low[0] + high[0]) - eye.x, 0.5f * (low[1] + high[1]) - eye.y,
-                           0.5f * (low[2] + high[2]) - eye.z};
-        const Vec3f half = {0.5f * (high[0] - low[0]), 0.5f * (high[1] - low[1]), 0.5f * (high[2] - low[2])};
-        const Vec3f n = {magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
-        const Vec3f reach = {magnitude(way.x) + magnitude(eye.x), magnitude(way.y) + magnitude(eye.y),
-                             magnitude(way.z) + magnitude(eye.z)};
-        return dot(normal, way) + dot(n, half) + noise * dot(n, half + reach) < 0;
+        const accel::ObjectMesh& mesh = scene.meshes[static_cast<std::uint32_t>(object.mesh)];
+        const auto* low = reinterpret_cast<const float*>(&mesh.low);
+        const auto* high = reinterpret_cast<const float*>(&mesh.high);
+        const auto* m = reinterpret_cast<const float*>(&object.scene_from_object);
+        const Vec3f place = {m[3], m[7], m[11]};
+        float most = dot(normal, place - eye);  // of the box's corners, towards the rays
+        float size = magnitude(normal.x) * (magnitude(place.x) + magnitude(eye.x)) +
+                     magnitude(normal.y) * (magnitude(place.y) + magnitude(eye.y)) +
+                     magnitude(normal.z) * (magnitude(place.z) + magnitude(eye.z));
+        for (int k = 0; k < 3; ++k) {
+            const float along = dot(normal, Vec3f{m[k], m[4 + k], m[8 + k]});
+            most += along * (along > 0 ? high[k] : low[k]);
+            size += magnitude(along) * larger(magnitude(low[k]), magnitude(high[k]));
+        }
+        return most + noise * size < 0;
     }
 };
 
@@ -56,7 +64,7 @@ ENFILADE_HD std::uint32_t hidden_by(const accel::SceneView& scene, const TilePla
     const accel::ObjectId* list = scene.cell_objects.first + scene.cell_object_offsets[cell] + first;
     std::uint32_t hidden = ~0u;
     for (std::uint32_t i = 0; i < most_in_bits && first + i < count; ++i)
-        if (!plane.hides(scene.objects[static_cast<std::uint32_t>(list[i])], eye)) hidden &= ~(1u << i);
+        if (!plane.hides(scene, scene.objects[static_cast<std::uint32_t>(list[i])], eye)) hidden &= ~(1u << i);
     return hidden;
 }
 
