@@ -32,6 +32,16 @@ PacketView view_of(const PacketJob& job) {
 
 }  // namespace
 
+PacketTiles tiles_for(int multiprocessors, int width, int height, bool is_furnished) {
+    constexpr std::int64_t warps = 8;
+    const std::int64_t pixels = std::int64_t{width} * height;
+    int side = 64;
+    while (side > 8 &&
+           pixels < warps * multiprocessors * PacketView::tiles_across * PacketView::tiles_down * side * side)
+        side /= 2;
+    return {side, is_furnished ? 8 : 4};
+}
+
 void draw_packets(Device& device, const PacketJob& job) {
     const PacketView view = view_of(job);
     const DeviceObjects* objects = view.scene.has_objects() ? job.objects : nullptr;

@@ -19,6 +19,10 @@ struct PacketTiles {
     int smallest = 4;  ///< 4 to `largest`
 };
 
+/// What counting speaks for: the largest tiles that still give each multiprocessor eight warps, for few pixels are
+/// written while warps wait for each other's cells; the smallest where objects do not split most tiles anyway.
+[[nodiscard]] PacketTiles tiles_for(int multiprocessors, int width, int height, bool is_furnished);
+
 /// One frame, `Shading::Lambert`. Pointers are the device's.
 struct PacketJob {
     const accel::SceneView* scene;  ///< on the host, its arrays on the device (copy_scene)

@@ -420,8 +420,8 @@ PacketCounts counts_of(const PacketView& view, const Rooms& rooms, const Light& 
 /// Calls body(rooms) for what knows the inside of objects.
 template <class Body>
 auto among(const DeviceObjects& objects, const Body& body) {
-    if (objects.kind() == InsideKind::Octree) return body(RoomsWith<OctreeTrees>{objects.octrees()});
-    return body(RoomsWith<MeshTrees>{objects.bvhs()});
+    if (objects.kind() == InsideKind::Octree) return body(RoomsWith<decltype(objects.octrees())>{objects.octrees()});
+    return body(RoomsWith<decltype(objects.bvhs())>{objects.bvhs()});
 }
 
 // Files of their own, for kernels take long to compile: furnished rooms; lamps.

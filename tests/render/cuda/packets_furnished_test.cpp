@@ -68,8 +68,8 @@ protected:
                     result.rgba[static_cast<std::size_t>(y * camera.width + x)] =
                         encoded(lambert_pixel<float>(picture, rooms, x, y, none));
         };
-        if (kind == InsideKind::Octree) draw(RoomsWith<OctreeTrees>{objects.octrees()});
-        else draw(RoomsWith<MeshTrees>{objects.bvhs()});
+        if (kind == InsideKind::Octree) draw(RoomsWith<decltype(objects.octrees())>{objects.octrees()});
+        else draw(RoomsWith<decltype(objects.bvhs())>{objects.bvhs()});
         return result;
     }
 

@@ -198,6 +198,16 @@ TEST_P(Packets, WalkAgainWhatRoundingLedAstray) {
     EXPECT_GT(astray, 0u);
 }
 
+TEST(PacketTiles, AreAsLargeAsLeavesWorkForAllMultiprocessors) {
+    EXPECT_EQ(tiles_for(132, 1024, 1024, false).largest, 8);
+    EXPECT_EQ(tiles_for(132, 3840, 2160, false).largest, 16);
+    EXPECT_EQ(tiles_for(132, 8192, 8192, false).largest, 64);
+    EXPECT_EQ(tiles_for(2, 1024, 1024, false).largest, 64);
+    EXPECT_EQ(tiles_for(132, 1, 1, false).largest, 8);
+    EXPECT_EQ(tiles_for(132, 1024, 1024, true).smallest, 8);
+    EXPECT_EQ(tiles_for(132, 1024, 1024, false).smallest, 4);
+}
+
 TEST(CountedPackets, AreTheWholePicture) {
     const accel::Scene scene = accel::assemble(coloured_office(0.3));
     Camera camera;
@@ -212,6 +222,7 @@ TEST(CountedPackets, AreTheWholePicture) {
                                                    camera.width, camera.height, picture.rgba.data(), tiles});
         EXPECT_EQ(counts.filled_pixels + counts.single_pixels, picture.rgba.size()) << text_of(tiles);
         EXPECT_GT(counts.filled_pixels, picture.rgba.size() / 2) << text_of(tiles);
+        EXPECT_LT(counts.cells, picture.rgba.size() / 2) << text_of(tiles);  // a thread a pixel: one and more a pixel
     }
 }
 
