@@ -104,6 +104,33 @@ void bench_task(render::cuda::Device& device, const PreparedScene& scene, const 
     }
 }
 
+/// What asking for a frame costs that has one pixel: a launch, and a graph that is started again.
+void bench_launches(render::cuda::Device& device, const PreparedScene& scene, const BenchOptions& options,
+                    const accel::Executor& executor, Report& report) {
+    constexpr int frames = 1000;
+    std::vector<Entry> entries;
+    std::vector<std::function<void()>> competitors;
+    for (const FrameWay& way : frame_ways())
+        if (way.is_ours)
+            if (auto maker = way.open(device, scene.frames(), frame_tasks()[0], executor))
+                entries.push_back({&way, std::move(maker), device.is_card() ? frames : 1});
+    for (Entry& entry : entries) {
+        entry.maker->set_views({scene.tried().views[0]}, 1);
+        competitors.push_back([&] { draw_all(entry, 1); });
+    }
+    const DeviceContest contest(device, options.rounds, competitors, 1.5);
+    MarkdownTable table({"by", "one after the other, us", "waited for each time, us"});
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        std::optional<double> queued = contest.seconds(k);
+        if (queued) *queued *= 1e6 / frames;
+        std::optional<double> waited = seconds_with_waiting(device, 99, [&] { entries[k].maker->draw(0); });
+        if (waited) *waited *= 1e6;
+        table.add({entries[k].way->name, measured(queued), measured(waited)});
+    }
+    report.section("Launches", "Frames of a single pixel: what it costs to ask for a frame, apart from its rays.");
+    report.table(table);
+}
+
 }  // namespace
 
 void bench_frames(render::cuda::Device& device, const std::vector<TriedScene>& scenes, const Limits& limits,
@@ -114,6 +141,7 @@ void bench_frames(render::cuda::Device& device, const std::vector<TriedScene>& s
     for (const TriedScene& scene : scenes) {
         if (scene.is_single_mesh()) continue;
         const PreparedScene prepared(scene, executor);
+        if (&scene == &scenes[0]) bench_launches(device, prepared, options, executor, report);
         for (const FrameTask& task : frame_tasks()) {
             if (!prepared.has(task) || options.is_late(report, "frames of " + scene.name + ", " + task.name)) continue;
             report.progress("frames of " + scene.name + ": " + task.name);

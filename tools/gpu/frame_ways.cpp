@@ -19,6 +19,8 @@ namespace {
 
 using render::cuda::Device;
 using render::cuda::InsideKind;
+using render::cuda::PictureOptions;
+using render::cuda::PictureSchedule;
 
 render::ObjectAccelKind kind_of(InsideKind inside) {
     return inside == InsideKind::Octree ? render::ObjectAccelKind::Octree : render::ObjectAccelKind::Plain;
@@ -27,8 +29,8 @@ render::ObjectAccelKind kind_of(InsideKind inside) {
 /// A thread a pixel.
 class Pixels : public FrameMaker {
 public:
-    Pixels(Device& device, const FrameScene& scene, const FrameTask& task)
-        : pictures_(device, scene.scene, {.mirror_floor = task.mirror_floor}) {}
+    Pixels(Device& device, const FrameScene& scene, const PictureOptions& options)
+        : pictures_(device, scene.scene, options) {}
 
     void draw(std::size_t view) override { pictures_.draw(frames_[view], starts_[view], side_, side_); }
     void read(render::Framebuffer& framebuffer) override { pictures_.read(framebuffer); }
@@ -38,10 +40,25 @@ private:
     render::cuda::Pictures pictures_;
 };
 
-std::unique_ptr<FrameMaker> open_pixels(Device& device, const FrameScene& scene, const FrameTask& task,
-                                        const accel::Executor& /*executor*/) {
-    if (task.with_objects || task.lamps) return nullptr;
-    return std::make_unique<Pixels>(device, scene, task);
+/// Where a way of drawing differs from others.
+enum class For { Everything, Bare, Furnished };
+
+FrameWay pixels(const std::string& name, For tasks, const PictureSchedule& schedule,
+                InsideKind inside = InsideKind::Octree) {
+    const auto open = [=](Device& device, const FrameScene& scene, const FrameTask& task,
+                          const accel::Executor& executor) -> std::unique_ptr<FrameMaker> {
+        if (tasks == For::Bare && (task.with_objects || task.lamps)) return nullptr;
+        if (tasks == For::Furnished && !task.with_objects) return nullptr;
+        PictureOptions options;
+        options.has_objects = task.with_objects;
+        options.inside = inside;
+        options.mirror_floor = task.mirror_floor;
+        if (task.lamps) options.lamps = {*task.lamps, scene.exposure, scene.trees};
+        options.schedule = schedule;
+        options.executor = &executor;
+        return std::make_unique<Pixels>(device, scene, options);
+    };
+    return {name, true, true, kind_of(inside), open};
 }
 
 /// Tiles by the corner rays of a warp.
@@ -52,6 +69,8 @@ public:
         : device_(device), arrays_(device), scene_(copy_scene(scene.scene, arrays_)) {
         if (task.with_objects) objects_.emplace(arrays_, scene.scene, scene_, inside, accel::OctreeOptions{}, executor);
         job_.objects = objects_ ? &*objects_ : nullptr;
+        if (task.lamps) lamps_ = {copy_trees(scene.trees, arrays_), *task.lamps, scene.exposure};
+        job_.lamps = task.lamps ? &lamps_ : nullptr;
         job_.scene = &scene_;
         job_.look = render::lambert_look({});
         job_.mirror_floor = task.mirror_floor;
@@ -78,6 +97,7 @@ private:
     render::cuda::DeviceArrays arrays_;
     accel::SceneView scene_;
     std::optional<render::cuda::DeviceObjects> objects_;
+    render::Lamps lamps_;
     render::cuda::PacketJob job_ = {};
     render::cuda::Buffer<std::uint32_t> image_;
 };
@@ -85,7 +105,8 @@ private:
 FrameWay packets(const std::string& name, render::cuda::PacketTiles tiles, InsideKind inside = InsideKind::Octree) {
     const auto open = [=](Device& device, const FrameScene& scene, const FrameTask& task,
                           const accel::Executor& executor) -> std::unique_ptr<FrameMaker> {
-        if (task.lamps || (!task.with_objects && inside != InsideKind::Octree)) return nullptr;
+        if (!task.with_objects && inside != InsideKind::Octree) return nullptr;
+        if (task.lamps && (task.with_objects || *task.lamps != render::LampSearch::Tree)) return nullptr;
         return std::make_unique<Packets>(device, scene, task, tiles, inside, executor);
     };
     return {name, true, false, kind_of(inside), open};
@@ -164,8 +185,23 @@ std::vector<FrameTask> frame_tasks() {
 namespace {
 
 std::vector<FrameWay> all_ways() {
+    using render::cuda::FrameStart;
+    using render::cuda::KernelShape;
+    using render::cuda::PixelOrder;
+    using render::cuda::WarpWork;
     std::vector<FrameWay> ways = {
-        {"a thread a pixel", true, true, render::ObjectAccelKind::Octree, open_pixels},
+        pixels("a thread a pixel", For::Everything, {}),
+        pixels("a thread a pixel, by rows", For::Everything, {.order = PixelOrder::Rows}),
+        pixels("a thread a pixel, along a Z curve", For::Everything, {.order = PixelOrder::Morton}),
+        pixels("a thread a pixel, persistent", For::Everything, {.work = WarpWork::Persistent}),
+        pixels("a thread a pixel, as a graph", For::Everything, {.start = FrameStart::Graph}),
+        pixels("a thread a pixel, blocks of 64", For::Bare, {.shape = KernelShape::Blocks64}),
+        pixels("a thread a pixel, blocks of 256", For::Bare, {.shape = KernelShape::Blocks256}),
+        pixels("a thread a pixel, 80 registers", For::Bare, {.shape = KernelShape::FewRegisters}),
+        pixels("a thread a pixel, 64 registers", For::Bare, {.shape = KernelShape::LeastRegisters}),
+        pixels("a thread a pixel, BVHs inside", For::Furnished, {}, InsideKind::Bvh),
+        pixels("a thread a pixel, persistent, BVHs inside", For::Furnished, {.work = WarpWork::Persistent},
+               InsideKind::Bvh),
         packets("packets 8:4", {8, 4}),
         packets("packets 8:8", {8, 8}),
         packets("packets 16:4", {16, 4}),
