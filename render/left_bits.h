@@ -78,3 +78,7 @@ ENFILADE_HD std::uint32_t left_bits(const Ray<float>& ray, const float* xs, cons
 
 }  // namespace ENFILADE_ISA
 }  // namespace enfilade::render
+
+#if defined(__CUDACC__)
+#include "render/sign_bits.h"
+#endif

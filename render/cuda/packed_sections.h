@@ -9,6 +9,7 @@
 #include "accel/scene.h"
 #include "render/cuda/device_scene.h"
 #include "render/object_walk.h"
+#include "render/sign_bits.h"
 
 namespace enfilade::render::cuda {
 
@@ -103,45 +104,6 @@ ENFILADE_HD constexpr std::uint32_t most_lines(const PackedScene<pairs>&) {
     return pairs ? 30 : 32;
 }
 
-/// Bits from the upper end downward: the newest is bit 0.
-class SignBits {
-public:
-    /// 1 for a number below zero. -0 counts as zero.
-    ENFILADE_HD void push(float number) {
-        const std::uint32_t bits = bits_of(number + 0.0f);
-#if defined(__CUDA_ARCH__)
-        bits_ = __funnelshift_l(bits, bits_, 1);
-#else
-        bits_ = bits_ << 1 | bits >> 31;
-#endif
-    }
-    /// Of `count` numbers pushed, 1 to 32 of them, bit i is the i-th.
-    ENFILADE_HD std::uint32_t in_order(std::uint32_t count) const {
-#if defined(__CUDA_ARCH__)
-        return __brev(bits_ << (32 - count));
-#else
-        std::uint32_t ordered = 0;
-        for (std::uint32_t i = 0; i < count; ++i) ordered |= (bits_ >> (count - 1 - i) & 1u) << i;
-        return ordered;
-#endif
-    }
-
-private:
-    std::uint32_t bits_ = 0;
-};
-
-/// line_side of a ray, negated where zero counts as negative, and negated once more: below zero is what left_bits calls
-/// positive. Rounding to nearest is the same for numbers and their negatives.
-struct NegatedSide {
-    float x, y, moment;
-
-    ENFILADE_HD explicit NegatedSide(const Ray<float>& ray)
-        : x(ray.zero_sign * ray.direction.y),
-          y(-ray.zero_sign * ray.direction.x),
-          moment(-ray.zero_sign * ray.moment) {}
-    ENFILADE_HD float operator()(PackedLine line) const { return fused(line.y, y, fused(line.x, x, moment)); }
-};
-
 template <bool pairs>
 ENFILADE_HD std::uint32_t left_lines(const PackedScene<pairs>& scene, const Ray<float>& ray, std::uint32_t first,
                                      std::uint32_t count) {
@@ -156,14 +118,17 @@ ENFILADE_HD std::uint32_t left_lines(const PackedScene<pairs>& scene, const Ray<
         const std::size_t count_of_pairs = (stray + count + 1) / 2;
         for (std::size_t i = 0; i < count_of_pairs; ++i) {
             const Pair pair = load_record(at + i);
-            bits.push(side(pair.a));
-            bits.push(side(pair.b));
+            bits.push(side(pair.a.x, pair.a.y));
+            bits.push(side(pair.b.x, pair.b.y));
         }
         return (bits.in_order(static_cast<std::uint32_t>(2 * count_of_pairs)) >> stray) ^ ray.zero_mask;
     } else {
         const PackedLine* at = scene.packed_lines + first;
         const std::size_t size = count;
-        for (std::size_t i = 0; i < size; ++i) bits.push(side(load_record(at + i)));
+        for (std::size_t i = 0; i < size; ++i) {
+            const PackedLine line = load_record(at + i);
+            bits.push(side(line.x, line.y));
+        }
         return bits.in_order(count) ^ ray.zero_mask;
     }
 }

@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
 
 #include "accel/assemble.h"
 #include "render/cuda/packed_sections.h"
+#include "render/sign_bits.h"
 #include "tests/support/degenerate_rays.h"
 #include "tests/support/devices.h"
 #include "tests/support/synthetic_scene.h"
@@ -103,6 +104,24 @@ TEST_F(LeanWalk, ReadsTheSameOfRecords) {
         expect_same(expected, walk(pairs, start.ray, start.cell, NoLimit{}, of_pairs, events));
         ASSERT_EQ(light, of_points);
         ASSERT_EQ(light, of_pairs);
+    }
+}
+
+TEST_F(LeanWalk, TellsSidesBySigns) {
+    const accel::SceneView& scene = scene_.view();
+    for (const Start& start : rays_) {
+        const accel::Cell& cell = scene.cells[start.cell];
+        const std::uint32_t count = std::min<std::uint32_t>(cell.section_count, 32);
+        const float* xs = scene.section_x.data() + cell.first_section;
+        const float* ys = scene.section_y.data() + cell.first_section;
+        std::uint32_t expected = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const float side = line_side(start.ray, xs[i], ys[i]);
+            const bool is_left = side > 0 || (side == 0 && start.ray.zero_mask != 0);
+            expected |= static_cast<std::uint32_t>(is_left) << i;
+        }
+        const std::uint32_t mask = ~0u >> (32 - count);
+        ASSERT_EQ(left_bits_by_signs(start.ray, xs, ys, count) & mask, expected);
     }
 }
 
