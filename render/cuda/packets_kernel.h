@@ -160,6 +160,7 @@ private:
             memory_.tiles[lane >> 2].objects = corners[lane].objects;
         }
         parted = full_groups(warp_.ballot(is));
+        warp_.meet();
     }
 
     /// Which lamps light the tiles that end at faces; where that is not told by their corners, they part.
@@ -295,10 +296,9 @@ private:
             if (is_first) memory_.paints[lane >> 2] = paint_of(view_, tile, exit);
             if constexpr (Light::has_lamps) {
                 if (view_.scene.source_faces[exit.target.bits].surface == accel::Surface::Sky) return;
-                LitFace face;
-                if (!lit_face(view_, light_.lamps, tile, exit, face)) end = TileEnd::Parted;
+                if (is_near_plane(view_, exit)) end = TileEnd::Parted;
                 if (!is_first) return;
-                memory_.light.faces[lane >> 2] = face;
+                memory_.light.faces[lane >> 2] = lit_face(view_, light_.lamps, tile, exit);
                 memory_.paints[lane >> 2].kind = PaintKind::Lamps;
             }
         }

@@ -58,14 +58,17 @@ ENFILADE_HD float way_to_plane(const PacketView& view, const WalkEnd<float>& end
            outward.y * (view.scene.section_y[end.section] - eye.y);
 }
 
-/// False where the eye is so near to the plane that places on it are noise.
-ENFILADE_HD bool lit_face(const PacketView& view, const Lamps& lamps, const Bundle& bundle, const WalkEnd<float>& end,
-                          LitFace& face) {
-    constexpr float inverse_pi = 0.318309886f, nearest = 0x1p-7f;
+/// Whether the eye is so near to the plane that places on it are noise.
+ENFILADE_HD bool is_near_plane(const PacketView& view, const WalkEnd<float>& end) {
+    return !(way_to_plane(view, end, -normal_of(view.scene, end)) > 0x1p-7f);
+}
+
+ENFILADE_HD LitFace lit_face(const PacketView& view, const Lamps& lamps, const Bundle& bundle,
+                             const WalkEnd<float>& end) {
+    constexpr float inverse_pi = 0.318309886f;
     const Vec3f normal = normal_of(view.scene, end);
     const Vec3f colour = colour_of(view.scene, view.scene.source_faces[end.target.bits]);
-    face = {normal, way_to_plane(view, end, -normal), inverse_pi * lamps.exposure * (bundle.tint * colour), end.cell};
-    return face.away > nearest;
+    return {normal, way_to_plane(view, end, -normal), inverse_pi * lamps.exposure * (bundle.tint * colour), end.cell};
 }
 
 /// The place on the face that a pixel shows. False where the ray runs along the face.
