@@ -106,7 +106,7 @@ if wants build || [ ! -x "$program" ]; then
         (cd "$root" && cmake --preset gpu-bare -G "$generator" -B "$build" -DENFILADE_CUDA=$cuda "-DCMAKE_CUDA_ARCHITECTURES=$architectures") &&
             cmake --build "$build" -j "$jobs" --target enfilade_gpu
     } >"$log" 2>&1 || {
-        grep -m 5 -iE 'error|fatal|cannot|could not' "$log" >&2 || tail -5 "$log" >&2
+        grep -m 3 -A 2 -iE 'error|fatal|cannot|could not' "$log" >&2 || tail -5 "$log" >&2
         give_up "The build failed; all that it said is in $log."
     }
     say "built"
@@ -131,14 +131,14 @@ for name in $known; do [ -f "$scenes/$name.enf" ] || echo "left out: there is no
 where=(--on "$on" --device "$device")
 [ "$on" = host ] || "$program" card --device "$device" >&2 || exit 3
 [ -n "$only" ] || : >"$report"
-status=0
+status=0 broken=0
 # A step's tables go to standard output and to the report; its exit code is kept.
 run_step() {
     local code=0
     "$program" "$@" "${where[@]}" | tee -a "$report" || code=${PIPESTATUS[0]}
     echo | tee -a "$report"
-    [ "$code" -lt 2 ] || exit 3
-    [ "$code" -eq 0 ] || status=1
+    [ "$code" -ne 1 ] || status=1
+    [ "$code" -lt 2 ] || broken=3  # what follows may still go
 }
 
 if wants check; then
@@ -186,4 +186,5 @@ if wants bench; then
     run_step bench $quick "${present[@]}"
 fi
 say "done; the tables are in $report"
-exit $status
+[ "$status" -ne 0 ] || exit $broken
+exit "$status"

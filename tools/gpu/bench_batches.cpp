@@ -208,8 +208,11 @@ void bench_batches(render::cuda::Device& device, const std::vector<TriedScene>& 
                    const BenchOptions& options, const accel::Executor& executor, Report& report) {
     MarkdownTable pictures = batch_table(), streams = batch_table();
     for (const TriedScene* scene : for_batches(scenes)) {
-        bench_pictures(device, PreparedScene(*scene, executor), limits, options, executor, pictures, report);
-        bench_streams(device, *scene, limits, options, executor, streams, report);
+        report.guarded("large pictures of " + scene->name, [&] {
+            bench_pictures(device, PreparedScene(*scene, executor), limits, options, executor, pictures, report);
+        });
+        report.guarded("streams of " + scene->name,
+                       [&] { bench_streams(device, *scene, limits, options, executor, streams, report); });
     }
     report.section("Pictures as batches",
                    "One picture of " + std::to_string(options.large_side) + " x " + std::to_string(options.large_side) +

@@ -140,13 +140,16 @@ void bench_frames(render::cuda::Device& device, const std::vector<TriedScene>& s
     MarkdownTable memory({"scene", "what", "by", "memory"});
     for (const TriedScene& scene : scenes) {
         if (scene.is_single_mesh()) continue;
-        const PreparedScene prepared(scene, executor);
-        if (&scene == &scenes[0]) bench_launches(device, prepared, options, executor, report);
-        for (const FrameTask& task : frame_tasks()) {
-            if (!prepared.has(task) || options.is_late(report, "frames of " + scene.name + ", " + task.name)) continue;
-            report.progress("frames of " + scene.name + ": " + task.name);
-            bench_task(device, prepared, task, limits, options, executor, table, memory);
-        }
+        report.guarded("frames of " + scene.name, [&] {
+            const PreparedScene prepared(scene, executor);
+            if (&scene == &scenes[0]) bench_launches(device, prepared, options, executor, report);
+            for (const FrameTask& task : frame_tasks()) {
+                const std::string what = "frames of " + scene.name + ", " + task.name;
+                if (!prepared.has(task) || options.is_late(report, what)) continue;
+                report.progress(what);
+                bench_task(device, prepared, task, limits, options, executor, table, memory);
+            }
+        });
     }
     report.section("Frames of " + std::to_string(options.side) + " x " + std::to_string(options.side) + " pixels",
                    "One ray a pixel, and what follows from it. Frames of all views of a scene are asked for one after "

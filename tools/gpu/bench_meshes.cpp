@@ -104,7 +104,8 @@ void bench_meshes(render::cuda::Device& device, const std::vector<TriedScene>& s
     MarkdownTable table({"mesh", "rays", "by", "how many", "Mrays/s", "against the best baseline", "memory",
                          "paper's octree / best BVH (GTX 980)"});
     for (const TriedScene& scene : scenes)
-        if (scene.is_single_mesh()) bench_mesh(device, scene, options, executor, table, report);
+        if (scene.is_single_mesh())
+            report.guarded(scene.name, [&] { bench_mesh(device, scene, options, executor, table, report); });
     if (table.is_empty()) return;
     report.section("Single meshes",
                    "Rays that lie in the card's memory, and the nearest triangle of each that is left there. Diffuse "

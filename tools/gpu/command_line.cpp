@@ -208,7 +208,7 @@ int run_bench(const Arguments& arguments, std::ostream& out, std::ostream& log) 
     bench_batches(*device, scenes, limits, options, *executor, report);
     bench_meshes(*device, scenes, options, *executor, report);
     report.write_goals();
-    return 0;
+    return report.has_failed() ? 3 : 0;
 }
 
 }  // namespace

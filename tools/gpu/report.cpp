@@ -2,6 +2,16 @@
 
 namespace enfilade::tools::gpu {
 
+namespace {
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+    return text;
+}
+
+}  // namespace
+
 void Report::section(const std::string& title, const std::string& sentence) {
     *out_ << "## " << title << "\n\n" << sentence << "\n\n" << std::flush;
 }
@@ -21,10 +31,8 @@ void Report::write_goals() {
                   : *goal.ratio >= goal.least ? "met"
                                               : "not met"});
     table(rows);
-    if (left_out_.empty()) return;
-    std::string names;
-    for (const std::string& what : left_out_) names += (names.empty() ? "" : "; ") + what;
-    sentence("Left out, because the time was up: " + names + ".");
+    if (!left_out_.empty()) sentence("Left out, because the time was up: " + joined(left_out_) + ".");
+    if (!failed_.empty()) sentence("Failed: " + joined(failed_) + ".");
 }
 
 }  // namespace enfilade::tools::gpu

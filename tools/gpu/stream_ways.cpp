@@ -84,6 +84,8 @@ std::vector<StreamWay> all_ways() {
               {.order = RayOrder::ByCell, .schedule = StreamSchedule::Deferred}),
         walks("cells: deferred, along a Morton curve", In::BareAndFurnished, octree,
               {.order = RayOrder::Morton, .schedule = StreamSchedule::Deferred}),
+        walks("cells: deferred, 67 million at once", In::BareAndFurnished, octree,
+              {.schedule = StreamSchedule::Deferred, .rays_at_once = 1u << 26}),
         walks("cells: persistent", In::BareAndFurnished, octree, {.schedule = StreamSchedule::Persistent}),
         walks("cells: persistent, refilled at 4", In::BareAndFurnished, octree,
               {.schedule = StreamSchedule::Persistent, .refill = 4}),
