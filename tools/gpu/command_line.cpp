@@ -33,7 +33,7 @@ constexpr const char* usage =
     "  --quick          bench: fewer rounds and smaller batches, for a first look\n"
     "  --rays N         rays of a batch (check: 2 million, on the host 4,096; bench: 64 million, fewer where the\n"
     "                   card's memory is small)\n"
-    "  --minutes N      bench: what is not measured by then is left out (7)\n"
+    "  --minutes N      bench: what is not measured by then is left out (5)\n"
     "  --help           says this\n"
     "\n"
     "Reports go to standard output as Markdown, progress to standard error. Ends with 0 when all is well, 1 when\n"
@@ -48,7 +48,7 @@ struct Arguments {
     int views = 2;
     bool is_quick = false;
     int rays = 0;  ///< 0: what suits the device
-    int minutes = 7;
+    int minutes = 5;
 };
 
 [[noreturn]] void refuse(const std::string& sentence) {

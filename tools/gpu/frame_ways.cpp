@@ -18,9 +18,11 @@ namespace enfilade::tools::gpu {
 namespace {
 
 using render::cuda::Device;
+using render::cuda::FrameStart;
 using render::cuda::InsideKind;
 using render::cuda::PictureOptions;
 using render::cuda::PictureSchedule;
+using render::cuda::PixelOrder;
 
 render::ObjectAccelKind kind_of(InsideKind inside) {
     return inside == InsideKind::Octree ? render::ObjectAccelKind::Octree : render::ObjectAccelKind::Plain;
@@ -49,6 +51,9 @@ FrameWay pixels(const std::string& name, For tasks, const PictureSchedule& sched
                           const accel::Executor& executor) -> std::unique_ptr<FrameMaker> {
         if (tasks == For::Bare && (task.with_objects || task.lamps)) return nullptr;
         if (tasks == For::Furnished && !task.with_objects) return nullptr;
+        // Walks to all lamps are slow enough without trying everything on them.
+        const bool is_plain = schedule.order == PixelOrder::Tiles && schedule.start == FrameStart::Launch;
+        if (task.lamps == render::LampSearch::Naive && !is_plain) return nullptr;
         PictureOptions options;
         options.has_objects = task.with_objects;
         options.inside = inside;
@@ -185,9 +190,7 @@ std::vector<FrameTask> frame_tasks() {
 namespace {
 
 std::vector<FrameWay> all_ways() {
-    using render::cuda::FrameStart;
     using render::cuda::KernelShape;
-    using render::cuda::PixelOrder;
     using render::cuda::WarpWork;
     std::vector<FrameWay> ways = {
         pixels("a thread a pixel", For::Everything, {}),

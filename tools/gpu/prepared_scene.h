@@ -30,8 +30,11 @@ public:
 
     [[nodiscard]] const TriedScene& tried() const { return tried_; }
     [[nodiscard]] const FrameScene& frames() const { return frames_; }
-    /// Whether there is something in the scene that the task shows.
+    /// Whether there is something in the scene that the task shows, and not so much that it takes minutes: walks to all
+    /// of thousands of lamps.
     [[nodiscard]] bool has(const FrameTask& task) const {
+        constexpr std::size_t most_walked = 500;
+        if (task.lamps == render::LampSearch::Naive && frames_.scene.lights.size() > most_walked) return false;
         return (!task.lamps || tried_.has_lamps()) && (!task.with_objects || tried_.has_objects());
     }
 
