@@ -123,7 +123,7 @@ known="bare-9 bare-46 bare-135 bare-1000 outside-46 furnished-9 furnished-46 fur
 add_scenes $known
 for file in "$scenes"/*.enf; do
     name=$(basename "$file" .enf)
-    case " $known " in *" $name "*) ;; *) present+=("$file") ;; esac
+    case " $known small-9 " in *" $name "*) ;; *) present+=("$file") ;; esac
 done
 for name in $known; do [ -f "$scenes/$name.enf" ] || echo "left out: there is no $name.enf in $scenes" >&2; done
 [ ${#present[@]} -gt 0 ] || give_up "There is no scene in $scenes."
@@ -158,7 +158,7 @@ if wants sanitize; then
             echo "skipped: compute-sanitizer is not installed."
         else
             small=()
-            for name in bare-9 furnished-9 mesh-bunny; do [ ! -f "$scenes/$name.enf" ] || small+=("$scenes/$name.enf"); done
+            for name in small-9 mesh-bunny; do [ ! -f "$scenes/$name.enf" ] || small+=("$scenes/$name.enf"); done
             [ ${#small[@]} -gt 0 ] || small=("${present[0]}")
             for tool in memcheck racecheck initcheck synccheck; do
                 say "compute-sanitizer $tool"

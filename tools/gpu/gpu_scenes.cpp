@@ -110,6 +110,10 @@ void write_floors(const std::filesystem::path& folder, const std::filesystem::pa
         write_scene(folder, std::string("bare-") + floor.rooms, bare, cameras, hanging(floor.lamps));
         const FurnishedFloor furnished = furnished_floor(floor.name, rooms, {.detail = 4});
         write_scene(folder, std::string("furnished-") + floor.rooms, furnished.scene, cameras, hanging(floor.lamps));
+        // For tools that look at every load: the same furniture, plainer.
+        if (std::string(floor.rooms) == "9")
+            write_scene(folder, "small-9", furnished_floor(floor.name, rooms, {.detail = 1}).scene, cameras,
+                        hanging(floor.lamps));
         if (std::string(floor.rooms) != "46") continue;
         std::vector<render::Camera> outside = from_corners(bare.view());
         outside.push_back(named_view(bare.view(), "exterior", 1024, 1024).camera);
