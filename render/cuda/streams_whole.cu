@@ -28,9 +28,10 @@ void ask(const StreamRun& run, const Question& question, RayWork work, const std
     const auto among = [&]<class Rooms>(const Rooms& rooms) {
         for_each(run.device, threads, WholeKernel<Rooms, Question>{scene, rooms, question, work, counted, threads});
     };
+    const auto among_trees = [&]<class Trees>(const Trees& trees) { among(RoomsWith<Trees>{trees}); };
     if (run.objects == nullptr) among(BareRooms{});
-    else if (run.objects->kind() == InsideKind::Octree) among(RoomsWith<OctreeTrees>{run.objects->octrees()});
-    else among(RoomsWith<MeshTrees>{run.objects->bvhs()});
+    else if (run.objects->kind() == InsideKind::Octree) among_trees(run.objects->octrees());
+    else among_trees(run.objects->bvhs());
 }
 
 /// How many threads look whether there are rare rays: a few a multiprocessor, so that it costs little if there are
