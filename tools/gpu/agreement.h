@@ -12,7 +12,7 @@ struct Agreement {
     std::string scene, what, way;
     std::uint64_t asked = 0;  ///< pixels or rays
     std::uint64_t same = 0;
-    std::uint64_t explained = 0;  ///< of the others: at edges
+    std::uint64_t explained = 0;  ///< of the others: at edges, or too near to where a baseline's ray starts
     std::uint64_t leaks = 0;
     double distance_error = 0;  ///< of rays that met the same: the largest, metres
     std::string bound;          ///< in words: what counts as the same
