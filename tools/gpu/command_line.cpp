@@ -178,9 +178,11 @@ BenchOptions bench_options(const Arguments& arguments, const render::cuda::Devic
         options.side = options.large_side = 16;
         options.rays = 256;
     } else {
-        for (const render::cuda::Card& card : render::cuda::cards())
-            if (card.number == arguments.device)
-                options.rays = std::min(options.rays, card.memory_bytes / 256);  // with answers, and room to sort
+        for (const render::cuda::Card& card : render::cuda::cards()) {
+            if (card.number != arguments.device) continue;
+            options.rays = std::min(options.rays, card.memory_bytes / 256);      // with answers, and room to sort
+            if (card.memory_bytes < 40'000'000'000u) options.large_side = 4096;  // of all competitors at once
+        }
     }
     if (arguments.is_quick && device.is_card()) {
         options.rounds = 3;
