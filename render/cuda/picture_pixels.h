@@ -2,6 +2,7 @@
 // The functions of a pixel that pictures by devices are made of: those of the scalar tracer. Included by .cu files
 // alone.
 
+#include "render/cuda/apart_rooms.h"
 #include "render/cuda/deferring.h"
 #include "render/cuda/picture_job.h"
 #include "render/lambert.h"
@@ -140,21 +141,20 @@ ENFILADE_HD bool ask_blocked(const AnyTrees& trees, accel::MeshId mesh, const Ob
     return ask_blocked(trees.bvhs, mesh, ray);
 }
 
-/// body(rooms) with the rooms of the job: bare ones, or with trees of whichever kind.
+/// body(rooms) with the rooms of the job: bare ones, or with trees of whichever kind, called.
 template <class Body>
 void among_any(const PictureJob& job, const Body& body) {
     if (job.objects == nullptr) return body(BareRooms{});
     const bool is_octree = job.objects->kind() == InsideKind::Octree;
-    body(RoomsWith<AnyTrees>{{is_octree ? job.objects->octrees() : OctreeTrees{nullptr},
-                              is_octree ? MeshTrees{nullptr} : job.objects->bvhs()}});
+    body(RoomsWith<CalledTrees<AnyTrees>>{{{is_octree ? job.objects->octrees() : OctreeTrees{nullptr},
+                                            is_octree ? MeshTrees{nullptr} : job.objects->bvhs()}}});
 }
 
-/// The same, with a type of rooms for each kind.
+/// The same for furnished rooms, with a type for each kind of trees.
 template <class Body>
-void among_each(const PictureJob& job, const Body& body) {
-    if (job.objects == nullptr) return body(BareRooms{});
-    if (job.objects->kind() == InsideKind::Octree) return body(RoomsWith<OctreeTrees>{job.objects->octrees()});
-    body(RoomsWith<MeshTrees>{job.objects->bvhs()});
+void among_furnished(const PictureJob& job, const Body& body) {
+    if (job.objects->kind() == InsideKind::Octree) return body(ApartRooms<OctreeTrees>{{job.objects->octrees()}});
+    body(ApartRooms<MeshTrees>{{job.objects->bvhs()}});
 }
 
 }  // namespace enfilade::render::cuda

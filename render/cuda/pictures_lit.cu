@@ -5,7 +5,8 @@
 namespace enfilade::render::cuda {
 
 void start_lit(Device& device, const PictureJob& job) {
-    among_each(job, [&](const auto& rooms) { start_shaped<128, 0>(device, job, lit_pixels<float>(job, rooms)); });
+    if (job.objects == nullptr) return start_shaped<128, 0>(device, job, lit_pixels<float>(job, BareRooms{}));
+    among_furnished(job, [&](const auto& rooms) { start_shaped<128, 0>(device, job, lit_pixels<float>(job, rooms)); });
 }
 
 }  // namespace enfilade::render::cuda

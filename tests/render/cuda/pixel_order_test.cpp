@@ -9,6 +9,7 @@
 #include "accel/assemble.h"
 #include "render/camera.h"
 #include "render/walk.h"
+#include "tests/render/walk_paths.h"
 #include "tests/support/synthetic_scene.h"
 
 namespace enfilade::render::cuda {
@@ -92,9 +93,17 @@ WarpWorkCounts count_work(const accel::SceneView& scene, const Camera& camera, P
 class WarpsInAnOffice : public testing::Test {
 protected:
     WarpsInAnOffice() : scene_(accel::assemble(test::synthetic_office({.rooms_per_row = 10, .rows = 4, .turn = 0.2}))) {
-        camera_.eye = {2.3, 1.9, 1.6};
-        camera_.target = {8, 9, 1.3};
-        camera_.width = camera_.height = 256;
+        const accel::SceneView& scene = scene_.view();
+        std::uint32_t widest = 0, most = 0;  // the room with most sides: a corridor, which sees into many others
+        for (std::uint32_t c = 0; c < scene.cells.size(); ++c) {
+            if (scene.cells[c].label != accel::Label::Room || scene.cells[c].section_count <= most) continue;
+            widest = c;
+            most = scene.cells[c].section_count;
+        }
+        camera_.eye = test::centre_of(scene, widest);
+        camera_.eye.z = scene.cells[widest].z_floor + 1.6;
+        camera_.target = camera_.eye + Vec3d{0.9, 0.5, -0.05};
+        camera_.width = camera_.height = 192;
         for (const PixelOrder order : orders) counts_.push_back(count_work(scene_.view(), camera_, order));
     }
     [[nodiscard]] const WarpWorkCounts& of(PixelOrder order) const { return counts_[static_cast<std::size_t>(order)]; }
