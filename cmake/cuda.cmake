@@ -6,8 +6,17 @@ if(ENFILADE_CUDA)
   include(CheckLanguage)
   check_language(CUDA)
   if(CMAKE_CUDA_COMPILER)
+    # All cards that we build for, and PTX for those to come: what packages are built with (preset cuda).
+    set(ENFILADE_CUDA_ALL_CARDS 75-real 80-real 86-real 89-real 90)
     if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-      set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90)
+      # Some twenty files of kernels cost a minute of two cores a card: for oneself, the card of this machine; where
+      # there is none, PTX, which drivers compile when the program first starts.
+      execute_process(COMMAND nvidia-smi -L OUTPUT_VARIABLE cards ERROR_QUIET RESULT_VARIABLE answer)
+      if(answer EQUAL 0 AND cards MATCHES "GPU")
+        set(CMAKE_CUDA_ARCHITECTURES native)
+      else()
+        set(CMAKE_CUDA_ARCHITECTURES 75-virtual)
+      endif()
     endif()
     enable_language(CUDA)
     if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that nvcc speaks it
