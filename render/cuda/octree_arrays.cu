@@ -97,12 +97,6 @@ OctreeArrays upload_octree(Device& device, const accel::LinkedOctree& tree) {
     return arrays;
 }
 
-accel::OctreeOptions device_octree_options() {
-    accel::OctreeOptions options;
-    options.cost.at_once = 1;
-    return options;
-}
-
 OctreeArrays build_octree_arrays(Device& device, const accel::MeshPart& mesh, const accel::OctreeOptions& options,
                                  const accel::Executor& executor) {
     const accel::Octree tree = accel::build_octree(mesh, options, executor);

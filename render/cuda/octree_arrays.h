@@ -9,6 +9,7 @@
 #include "accel/octree/rope_octree.h"
 #include "render/cuda/buffer.h"
 #include "render/cuda/octree_layouts.h"
+#include "render/cuda/octree_options.h"
 
 namespace enfilade::render::cuda {
 
@@ -24,8 +25,6 @@ struct OctreeArrays {
 
 [[nodiscard]] OctreeArrays upload_octree(Device& device, const accel::LinkedOctree& tree);
 
-/// What devices walk best, by count (README.md): triangles are tested one by one there, so leaves are smaller.
-[[nodiscard]] accel::OctreeOptions device_octree_options();
 /// Of their tables the flat part may be deeper as well: a look less a leaf.
 inline constexpr std::uint32_t most_device_jump_levels = 7;
 

@@ -6,6 +6,7 @@
 #include "accel/octree/octree.h"
 #include "accel/parallel_for.h"
 #include "render/cuda/device_objects.h"
+#include "render/cuda/octree_options.h"
 #include "render/cuda/pixel_order.h"
 #include "render/trace.h"
 
@@ -43,7 +44,7 @@ struct PictureSchedule {
 struct PictureOptions {
     bool has_objects = true;                 ///< false: rooms are seen without what stands in them
     InsideKind inside = InsideKind::Octree;  ///< of objects
-    accel::OctreeOptions octrees = {};
+    accel::OctreeOptions octrees = device_octree_options();
     Precision precision = Precision::Float;
     float mirror_floor = 0;                           ///< share of light that floors reflect, 0 to 1
     std::optional<LampOptions> lamps = std::nullopt;  ///< nothing: a lamp at the eye

@@ -13,6 +13,7 @@
 #include "accel/scene.h"
 #include "render/cuda/device.h"
 #include "render/cuda/device_objects.h"
+#include "render/cuda/octree_options.h"
 #include "render/cuda/packed_sections.h"
 #include "render/cuda/ray_order.h"
 #include "render/ray_stream.h"
@@ -57,7 +58,7 @@ enum class StreamSchedule {
 
 struct DeviceStreamOptions {
     std::optional<InsideKind> inside = {};  ///< the trees of what stands in rooms; none: rooms are walked bare
-    accel::OctreeOptions octrees = {};
+    accel::OctreeOptions octrees = device_octree_options();
     const accel::Executor* executor = nullptr;  ///< who builds the trees; nullptr: the calling thread
     RayOrder order = RayOrder::AsGiven;
     StreamSchedule schedule = StreamSchedule::Deferred;
