@@ -157,7 +157,7 @@ ENFILADE_HD bool travel_on(const Tree& tree, const OctreeRay& ray, bool goes_thr
 template <bool any, class Tree, class Events>
 ENFILADE_HD OctreeFound<typename Tree::Place> find_nearest(const Tree& tree, const OctreeRay& ray, bool goes_through,
                                                            Events& events) {
-    OctreeTravel<Tree> travel;
+    OctreeTravel<Tree> travel = {};
     travel.found.triangle = no_triangle;
     if (travel_on<any>(tree, ray, goes_through, travel, events)) travel.found.triangle = 0;
     return travel.found;
@@ -170,7 +170,7 @@ ENFILADE_HD bool walk_octree(const Tree& tree, ObjectRay& ray, Events& events) {
                              ray.near,
                              {ray.direction_x, ray.direction_y, ray.direction_z},
                              ray.far};
-    OctreeTravel<Tree> travel;
+    OctreeTravel<Tree> travel = {};
     travel.found.triangle = ray.triangle;
     if (travel_on<any>(tree, asked, true, travel, events)) return true;
     if (any || travel.found.triangle == ray.triangle) return false;
