@@ -182,10 +182,12 @@ void bench_dial(Bench& bench) {
     dial_snap(bench, plan, name, rays);
     dial_sagitta(bench, plan, name, rays);
     dial_convexify(bench, plan, name, rays);
-    dial_tracers(bench, build_scene(plan, {}).scene.view(), name);
+    const Built rooms = build_scene(plan, {});
+    dial_tracers(bench, rooms.scene.view(), name);
     dial_objects(bench);
     dial_octrees(bench);
     dial_lights(bench);
+    dial_device(bench, rooms.scene.view(), name);
 }
 
 }  // namespace enfilade::tools

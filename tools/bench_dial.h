@@ -23,4 +23,8 @@ void dial_octrees(Bench& bench);
 /// picture, memory, and how far it is from walks to all lamps in double precision, or from many samples.
 void dial_lights(Bench& bench);
 
+/// Rows for the options of the cuda tracer (bench_dial_device.cpp): pixels unlike the scalar tracer's, memory, and the
+/// time of a picture where there is a card.
+void dial_device(Bench& bench, const accel::SceneView& scene, const std::string& name);
+
 }  // namespace enfilade::tools

@@ -12,6 +12,7 @@
 #include "tools/check_report.h"
 #include "tools/commands.h"
 #include "tools/count_pictures.h"
+#include "tools/device_pictures.h"
 #include "tools/exit_code.h"
 #include "tools/lit_pictures.h"
 #include "tools/object_accel.h"
@@ -48,7 +49,8 @@ private:
 };
 
 render::Image render_view(const RenderOptions& options, const TracerChoice& choice, const accel::SceneView& scene,
-                          const Shot& shot, render::TraceOptions trace, const LitPictures& lit) {
+                          const Shot& shot, render::TraceOptions trace, const LitPictures& lit,
+                          DevicePictures* device) {
     const View& view = shot.view;
     if (choice.is_oracle) {
         if (view.cut_z)
@@ -62,7 +64,9 @@ render::Image render_view(const RenderOptions& options, const TracerChoice& choi
     lit.light(trace);
     // A model that is cut open stands on paper: what is left of the sky's box around it is not drawn.
     if (view.cut_z) trace.look.sky_zenith = trace.look.sky_horizon = trace.look.paper;
-    return render::trace(scene, view.camera, trace);
+    if (device == nullptr) return render::trace(scene, view.camera, trace);
+    trace.stats = nullptr;
+    return device->trace(view.camera, trace);
 }
 
 /// What all pictures of a run share.
@@ -107,6 +111,8 @@ struct Pictures {
     bool has_looks = false;                      ///< of materials
     std::optional<PathPictures> paths_of_light;  ///< its scene is gone, too
     std::optional<MeshScene> mesh;               ///< where the pictures are of one; its scene is gone
+    std::string device;                          ///< of the cuda tracer; empty: it did not trace
+    std::size_t device_bytes = 0;                ///< that it holds
     std::string counted;                         ///< what false colours show; empty: pictures of light
     nlohmann::ordered_json counts;
 
@@ -123,6 +129,9 @@ struct Pictures {
 
 Pictures make_pictures(const RenderOptions& options, const Choices& choices, const Console& console) {
     const TracerChoice& choice = choices.tracer;
+    const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
+    std::optional<DevicePictures> device;  // what is not there is said before the work
+    if (choice.device) device.emplace(*choice.device, *cores);
     Pictures made;
     std::vector<std::string> steps = {"Reading the scene", "Rendering", "Writing"};
     if (choices.lights.search) steps.insert(steps.begin() + 1, "Following the light");
@@ -137,10 +146,11 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
     std::vector<std::string> names;
     for (const Shot& shot : made.shots) names.push_back(shot.name);
     PictureFiles files(options.output, names);
-    const std::unique_ptr<accel::Executor> cores = render::make_executor(options.threads);
     std::optional<CountPictures> counts;
     PreparedObjects prepared;
-    if (!choice.is_oracle && (options.show.empty() || counts_octrees(options)))
+    // With lamps the CPU makes the small pictures by which all others are exposed.
+    const bool is_asked = choice.device ? choices.lights.search.has_value() : !choice.is_oracle;
+    if (is_asked && (options.show.empty() || counts_octrees(options)))
         prepared = prepare_objects(view, choices.accel, *cores);
     if (!options.show.empty()) {
         if (options.show == "lamps" && view.lights.size() == 0)
@@ -163,12 +173,17 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
         progress.next();
     }
     const accel::SceneView lit = made.lit.lit(view);
+    if (device) {
+        device->show(lit, choice, choices.accel);
+        made.device = device->name();
+        made.objects = device->objects();
+    }
     if (choices.path.is_on)
         made.paths_of_light.emplace(lit, choices.path, choices.lights, made.shots, shared, made.lit);
     for (std::size_t k = 0; k < made.shots.size(); ++k) {
         Shot& shot = made.shots[k];
         const WatchedExecutor watched(*cores, progress, k, made.shots.size());
-        shared.stats = &made.stats;
+        if (!choice.device) shared.stats = &made.stats;
         if (!made.paths_of_light) shared.executor = &watched;
         const auto told = [&](double done, double noise) {
             progress.fraction((double(k) + done) / double(made.shots.size()));
@@ -178,11 +193,12 @@ Pictures make_pictures(const RenderOptions& options, const Choices& choices, con
         shot.seconds = seconds_of([&] {
             if (counts) image = counts->picture(shot.view, watched, scale_rows(options));
             else if (made.paths_of_light) image = made.paths_of_light->picture(shot, shared, made.lit, told);
-            else image = render_view(options, choice, lit, shot, shared, made.lit);
+            else image = render_view(options, choice, lit, shot, shared, made.lit, device ? &*device : nullptr);
         });
         files.write(k, image);
     }
     progress.next();
+    if (device) made.device_bytes = device->bytes();
     files.commit();
     if (counts) {
         made.counted = counts->report();
@@ -209,6 +225,7 @@ void add_camera(nlohmann::ordered_json& json, const Shot& shot, const std::array
 const char* walked_by(const RenderOptions& options, const TracerChoice& choice, const Pictures& made) {
     const bool is_plain =
         options.shading == "lambert" && direct_samples(options) == 1 && !made.shots.front().view.cut_z;
+    if (choice.device) return choice.name();
     if (made.paths_of_light || (made.lit.are_lit() && made.has_looks)) return "scalar";
     return is_plain || choice.is_oracle ? choice.name() : "scalar";
 }
@@ -219,6 +236,8 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
     json["tracer"] = choice.name();
     if (!made.counted.empty()) json["counts"] = made.counts;
     if (made.counted.empty()) json["walked_by"] = walked_by(options, choice, made);
+    if (choice.device) json["device"] = made.device;
+    if (choice.device) json["device_bytes"] = made.device_bytes;
     json["real"] = choice.precision == render::Precision::Double ? "double" : "float";
     if (choice.has_packets())
         json["packets"] = {{"largest", choice.packets.largest}, {"smallest", choice.packets.smallest}};
@@ -243,7 +262,8 @@ nlohmann::ordered_json render_json(const RenderOptions& options, const TracerCho
             json["pictures"].push_back(std::move(picture));
         }
     }
-    if (!choice.is_oracle && made.counted.empty()) json["statistics"] = ray_json(made.stats, made.pixels());
+    if (!choice.is_oracle && !choice.device && made.counted.empty())
+        json["statistics"] = ray_json(made.stats, made.pixels());
     return json;
 }
 
@@ -264,6 +284,7 @@ int run_render(const RenderOptions& options, const Console& console) {
     const Choices choices = {
         choice, object_accel_choice(options.object_accel, counts_octrees(options) ? "--show " + options.show : ""),
         light_choice(options), path_choice(options)};
+    if (choice.device) check_device_objects(choices.accel);
     const Pictures made = make_pictures(options, choices, console);
     if (choices.lights.search && !made.lit.are_lit() && !console.quiet())
         console.warn("There is no lamp in " + options.scene.string() +

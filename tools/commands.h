@@ -161,6 +161,7 @@ struct RenderOptions {
     std::string room;
     std::string size = "1024x1024";
     std::string tracer;                       ///< empty: packets, or scalar where `real` is "double"
+    std::string device;                       ///< of the cuda tracer: a card's number, or "host"; empty: card 0
     std::string real;                         ///< "float" or "double"; empty: the tracer's own
     std::string packets;                      ///< "64:8"; empty: the usual ones
     std::optional<std::string> mirror_floor;  ///< a share, or empty for the usual one; nothing: dull floors

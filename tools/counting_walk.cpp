@@ -17,7 +17,7 @@ WalkCount counted_walk(const accel::SceneView& scene, const RayQuery& query, std
     Ray<float> ray;
     if (!make_ray(vec_cast<float>(query.origin), vec_cast<float>(query.direction), ray)) return count;
     NoEvents events;
-    WalkEnd<float> end;
+    WalkEnd<float> end = {};
     std::uint32_t entry = no_section, entry_next = no_section;
     auto cell = static_cast<std::uint32_t>(query.cell);
     for (std::size_t steps = 2 * scene.cells.size() + 16; steps > 0; --steps) {

@@ -127,10 +127,13 @@ void add_render(CLI::App& app, Invocation& invocation, RenderOptions& options) {
     add_value(
         command, "--tracer", options.tracer, "NAME",
         "scalar: through the cells, one ray at a time; simd: as many rays as a register holds; packet: whole tiles "
-        "of the picture; oracle: every face against every ray, slow; simd and packet are for --shading lambert "
-        "--spp 1 "
-        "of a building not cut open, other pictures go ray by ray (packet)")
-        ->check(CLI::IsMember({"scalar", "simd", "packet", "oracle"}));
+        "of the picture; cuda: by a CUDA card; oracle: every face against every ray, slow; simd and packet are for "
+        "--shading lambert --spp 1 of a building not cut open, other pictures go ray by ray (packet)")
+        ->check(CLI::IsMember({"scalar", "simd", "packet", "cuda", "oracle"}));
+    add_value(
+        command, "--device", options.device, "N",
+        "cuda tracer: which card, counted from 0; or host: this machine's cores play the card, slowly, to look at "
+        "what it would draw (0)");
     add_value(
         command, "--real", options.real, "TYPE",
         "float or double: the numbers in which rays walk; double is for the scalar tracer, and chooses it (float)")

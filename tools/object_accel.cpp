@@ -109,15 +109,22 @@ ObjectAccelChoice object_accel_choice(const ObjectAccelFlags& flags, const std::
     return choice;
 }
 
+ObjectsSummary counted_objects(const accel::SceneView& scene) {
+    ObjectsSummary summary;
+    if (!scene.has_objects()) return summary;
+    summary.count = scene.objects.size();
+    summary.triangles = triangle_count(scene);
+    return summary;
+}
+
 PreparedObjects prepare_objects(const accel::SceneView& scene, const ObjectAccelChoice& choice,
                                 const accel::Executor& executor) {
     PreparedObjects prepared;
     if (!scene.has_objects()) return prepared;
     ObjectsSummary& summary = prepared.summary;
+    summary = counted_objects(scene);
     summary.seconds =
         seconds_of([&] { prepared.accel = render::build_object_accel(scene, choice.kind, executor, choice.octree); });
-    summary.count = scene.objects.size();
-    summary.triangles = triangle_count(scene);
     summary.accel = prepared.accel->name();
     summary.bytes = prepared.accel->bytes();
     if (const render::OctreeCounter* octrees = prepared.accel->octrees()) summary.octrees = octrees->figures();

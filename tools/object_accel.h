@@ -42,6 +42,9 @@ struct ObjectsSummary {
     [[nodiscard]] nlohmann::ordered_json json() const;
 };
 
+/// With how many objects and triangles there are, and nothing else.
+[[nodiscard]] ObjectsSummary counted_objects(const accel::SceneView& scene);
+
 /// What stands in the rooms, made ready to be asked by rays.
 struct PreparedObjects {
     std::unique_ptr<render::ObjectAccel> accel;  ///< nullptr: nothing stands there

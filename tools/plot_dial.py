@@ -11,7 +11,7 @@ matplotlib.rcParams["svg.hashsalt"] = "enfilade"  # the same rows give the same 
 from matplotlib import pyplot  # noqa: E402
 
 ROW = re.compile(r"(snap_mm|sagitta_mm) ([0-9.e+-]+): (.+)")
-NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+|lights|light-[a-z-]+|samples|path-[a-z]+) (\S+): (.+)")
+NAMED_ROW = re.compile(r"(convexify|real|tracer|detail|object-triangles|objects|object-accel|scope|octree-[a-z]+|lights|light-[a-z-]+|samples|path-[a-z]+|device-[a-z]+) (\S+): (.+)")
 PACKET_ROW = re.compile(r"packet (\d+) to (\d+): speed")
 TITLES = {"snap_mm": "snap grid (mm)", "sagitta_mm": "sagitta of curves (mm)"}
 # What furniture's options cost: their first panel's quantity, its label, and the panel's title.
@@ -39,6 +39,15 @@ LIGHTS = {
     "samples": "samples a pixel",
     "path-samples": "samples of paths a pixel",
     "path-lamps": "lamps asked at each place of a path",
+}
+# Options of the cuda tracer, where a card measured them: beside those of light.
+DEVICES = {
+    "device-order": "which thread draws which pixel",
+    "device-work": "how warps share the work",
+    "device-start": "how a frame is started",
+    "device-shape": "threads of a block, registers",
+    "device-inside": "inside objects",
+    "device-real": "a card walks in",
 }
 CURVES = [("distance, median", "median"), ("distance, 99 of 100", "99 of 100 below")]
 
@@ -146,6 +155,16 @@ def draw_lights(axes, named_bars):
             draw_bars(memory, named["memory"], "lists and trees (MB)")
 
 
+def draw_devices(axes, named_bars, options):
+    """A column of panels for each option of the cuda tracer: unlike pixels, time, memory."""
+    for (error, time, memory), option in zip(axes.T, options):
+        named = named_bars[option]
+        draw_bars(error, named["pixels unlike the scalar ones"], "unlike the scalar tracer's (per million)")
+        error.set(title=f"cuda: {DEVICES[option]}")
+        draw_bars(time, named["time"], "picture (ms)", 1000)
+        draw_bars(memory, named["memory"], "on the card (MB)")
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = json.load(file)["rows"]
@@ -156,8 +175,9 @@ def main():
     columns = len(options) + bool(ways) + bool(tracing) + furniture
     octrees = sum(option in named_bars for option in OCTREES)
     lights = sum(option in named_bars for option in LIGHTS)
-    columns = max(columns, octrees + lights)
-    lines = 6 if octrees or lights else 3
+    devices = [option for option in DEVICES if "time" in named_bars.get(option, {})]
+    columns = max(columns, octrees + lights + len(devices))
+    lines = 6 if octrees or lights or devices else 3
     figure, all_axes = pyplot.subplots(lines, columns, figsize=(4.6 * columns, 2.7 * lines), layout="constrained", squeeze=False)
     axes = all_axes[:3]
     for (error, time, memory), (option, named) in zip(axes.T, options.items()):
@@ -187,6 +207,8 @@ def main():
         draw_octrees(all_axes[3:, :octrees], named_bars)
     if lights:
         draw_lights(all_axes[3:, octrees:octrees + lights], named_bars)
+    if devices:
+        draw_devices(all_axes[3:, octrees + lights:], named_bars, devices)
     for panel in all_axes.flat:
         panel.set_visible(panel.has_data())
     figure.savefig(sys.argv[2], metadata={"Date": None})

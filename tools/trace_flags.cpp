@@ -60,7 +60,7 @@ float parse_mirror(const std::string& text) {
 /// What --show counts, whatever makes pictures of light.
 TracerChoice scalar_walk(const RenderOptions& options) {
     const bool is_usual = (options.tracer.empty() || options.tracer == "scalar") && options.real != "double" &&
-                          options.packets.empty() && !options.mirror_floor && !options.stats;
+                          options.packets.empty() && !options.mirror_floor && !options.stats && options.device.empty();
     if (!is_usual)
         throw InputError("F138", "",
                          "--show " + options.show +
@@ -69,6 +69,18 @@ TracerChoice scalar_walk(const RenderOptions& options) {
     TracerChoice choice;
     choice.tracer = Tracer::Scalar;
     return choice;
+}
+
+/// "1", or "host".
+TracerChoice::Device parse_device(const std::string& text) {
+    if (text.empty()) return {};
+    if (text == "host") return {.is_host = true};
+    const auto card = number<int>(text);
+    if (!card || *card < 0)
+        throw InputError("F149", "",
+                         "--device \"" + text +
+                             "\" is none: give a card's number, counted from 0, or host for this machine's cores.");
+    return {.card = *card};
 }
 
 Tracer parse_tracer(const std::string& name) {
@@ -80,6 +92,7 @@ Tracer parse_tracer(const std::string& name) {
 
 const char* TracerChoice::name() const {
     if (is_oracle) return "oracle";
+    if (device) return "cuda";
     if (tracer == Tracer::Scalar) return "scalar";
     return tracer == Tracer::Simd ? "simd" : "packet";
 }
@@ -88,10 +101,13 @@ TracerChoice tracer_choice(const RenderOptions& options) {
     if (!options.show.empty()) return scalar_walk(options);
     TracerChoice choice;
     choice.is_oracle = options.tracer == "oracle";
+    if (options.tracer == "cuda") choice.device = parse_device(options.device);
+    else if (!options.device.empty())
+        throw InputError("F149", "", "--device is for --tracer cuda: give that as well, or leave --device out.");
     const bool is_double = options.real == "double";
     choice.tracer = options.tracer.empty() && is_double ? Tracer::Scalar : parse_tracer(options.tracer);
     choice.precision = is_double || choice.is_oracle ? Precision::Double : Precision::Float;
-    if (is_double && !choice.is_oracle && choice.tracer != Tracer::Scalar)
+    if (is_double && !choice.is_oracle && !choice.device && choice.tracer != Tracer::Scalar)
         throw InputError("F132", "",
                          "--tracer " + options.tracer +
                              " walks in single precision: give --tracer scalar with --real double, or leave --real "
@@ -101,9 +117,11 @@ TracerChoice tracer_choice(const RenderOptions& options) {
     if (options.stats && choice.is_oracle)
         throw InputError("F133", "",
                          "The oracle walks through no cells: leave out --stats, or choose another --tracer.");
+    if (options.stats && choice.device)
+        throw InputError("F133", "", "A card counts nothing: leave out --stats, or choose another --tracer.");
     if (!options.packets.empty()) {
         choice.packets = parse_packets(options.packets);
-        if (choice.is_oracle || choice.tracer != Tracer::Packet)
+        if (!choice.has_packets())
             throw InputError("F133", "",
                              std::string("--packets means nothing to --tracer ") + choice.name() +
                                  ": leave it out, or choose --tracer packet.");
