@@ -8,6 +8,7 @@
 #include "render/camera.h"
 #include "render/cuda/bvh_ray.h"
 #include "render/cuda/octree_job.h"
+#include "render/cuda/quick_math.h"
 #include "render/cuda/streams.h"
 #include "render/face_mesh.h"
 #include "render/framebuffer.h"

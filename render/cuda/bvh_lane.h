@@ -52,26 +52,6 @@ ENFILADE_HD float most(float a, float b) {
 #endif
 }
 
-/// 1 / a within two units of its last place; 0 for |a| beyond 2^126.
-ENFILADE_HD float quick_inverse(float a) {
-#if defined(__CUDA_ARCH__)
-    return __fdividef(1.0f, a);
-#else
-    return 1.0f / a;
-#endif
-}
-
-/// Its root, a few units of the last place aside.
-ENFILADE_HD float quick_root(float a) {
-#if defined(__CUDA_ARCH__)
-    float result;
-    asm("sqrt.approx.f32 %0, %1;" : "=f"(result) : "f"(a));
-    return result;
-#else
-    return root(a);
-#endif
-}
-
 ENFILADE_HD std::uint32_t bits_in(std::uint32_t bits) {
 #if defined(__CUDA_ARCH__)
     return static_cast<std::uint32_t>(__popc(bits));

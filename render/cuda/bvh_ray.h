@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/cuda/bvh_lane.h"
+#include "render/cuda/quick_math.h"
 #include "render/cuda/triangle_record.h"
 #include "render/object_walk.h"
 

@@ -5,31 +5,10 @@
 #include <cstdint>
 
 #include "render/cuda/packets_view.h"
+#include "render/cuda/quick_math.h"
 #include "render/framebuffer.h"
 
 namespace enfilade::render::cuda {
-
-/// 1 / root(a), to some 2^-22 of itself. \pre a is normal
-ENFILADE_HD float quick_inverse_root(float a) {
-#if defined(__CUDA_ARCH__)
-    float result;
-    asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(result) : "f"(a));
-    return result;
-#else
-    return 1.0f / root(a);
-#endif
-}
-
-/// root(a), to some 2^-22 of itself. \pre a >= 0
-ENFILADE_HD float quick_root(float a) {
-#if defined(__CUDA_ARCH__)
-    float result;
-    asm("sqrt.approx.ftz.f32 %0, %1;" : "=f"(result) : "f"(a));
-    return result;
-#else
-    return root(a);
-#endif
-}
 
 /// Adding it to a number of up to 255 rounds that to an integer and leaves it in the lowest byte.
 inline constexpr float rounds_to_integer = 0x1p23f;

@@ -19,21 +19,18 @@ ENFILADE_HD auto quick(const Rooms& rooms) {
     else return QuickRooms{};
 }
 
-/// A lamp at the eye.
-template <class T, class Rooms>
-struct LambertPixels {
-    accel::SceneView scene;
-    CameraFrame camera;
-    Look look;
+/// Pixels whose walks leave rare cases to a second kernel, in float. Pixel: plain data with
+/// `light<T>(rooms, x, y, events)`.
+template <class T, class Rooms, class Pixel>
+struct WalkedPixels {
+    Pixel pixel;
     Rooms rooms;
-    std::uint32_t start_cell;
-    float mirror_floor;
 
     static constexpr bool defers = sizeof(T) == sizeof(float);
     ENFILADE_HD bool at(int x, int y, Vec3f& light) const {
         if constexpr (defers) {
             Deferring walked;
-            light = with(quick(rooms), x, y, walked);
+            light = pixel.template light<T>(quick(rooms), x, y, walked);
             return !walked.is_rare;
         } else {
             light = at_length(x, y);
@@ -42,56 +39,45 @@ struct LambertPixels {
     }
     ENFILADE_HD Vec3f at_length(int x, int y) const {
         NoEvents none;
-        return with(rooms, x, y, none);
+        return pixel.template light<T>(rooms, x, y, none);
     }
+};
 
-private:
-    template <class With, class Events>
-    ENFILADE_HD Vec3f with(const With& met, int x, int y, Events& events) const {
-        return lambert_pixel<T>({&scene, &camera, &look, start_cell, mirror_floor}, met, x, y, events);
+/// A lamp at the eye.
+struct LambertPixel {
+    accel::SceneView scene;
+    CameraFrame camera;
+    Look look;
+    std::uint32_t start_cell;
+    float mirror_floor;
+
+    template <class T, class Rooms, class Events>
+    ENFILADE_HD Vec3f light(const Rooms& rooms, int x, int y, Events& events) const {
+        return lambert_pixel<T>({&scene, &camera, &look, start_cell, mirror_floor}, rooms, x, y, events);
     }
 };
 template <class T, class Rooms>
-LambertPixels<T, Rooms> lambert_pixels(const PictureJob& job, const Rooms& rooms) {
-    return {job.scene, job.camera, job.look, rooms, job.start_cell, job.mirror_floor};
+WalkedPixels<T, Rooms, LambertPixel> lambert_pixels(const PictureJob& job, const Rooms& rooms) {
+    return {{job.scene, job.camera, job.look, job.start_cell, job.mirror_floor}, rooms};
 }
 
 /// The scene's lamps, and colours.
-template <class T, class Rooms>
-struct LitPixels {
+struct LitPixel {
     accel::SceneView scene;
     CameraFrame camera;
     Look look;
     Lamps lamps;
-    Rooms rooms;
     std::uint32_t start_cell;
     float mirror_floor;
 
-    static constexpr bool defers = sizeof(T) == sizeof(float);
-    ENFILADE_HD bool at(int x, int y, Vec3f& light) const {
-        if constexpr (defers) {
-            Deferring walked;
-            light = with(quick(rooms), x, y, walked);
-            return !walked.is_rare;
-        } else {
-            light = at_length(x, y);
-            return true;
-        }
-    }
-    ENFILADE_HD Vec3f at_length(int x, int y) const {
-        NoEvents none;
-        return with(rooms, x, y, none);
-    }
-
-private:
-    template <class With, class Events>
-    ENFILADE_HD Vec3f with(const With& met, int x, int y, Events& events) const {
-        return lit_pixel<T>({&scene, &camera, &look, &lamps, start_cell, mirror_floor}, met, x, y, events);
+    template <class T, class Rooms, class Events>
+    ENFILADE_HD Vec3f light(const Rooms& rooms, int x, int y, Events& events) const {
+        return lit_pixel<T>({&scene, &camera, &look, &lamps, start_cell, mirror_floor}, rooms, x, y, events);
     }
 };
 template <class T, class Rooms>
-LitPixels<T, Rooms> lit_pixels(const PictureJob& job, const Rooms& rooms) {
-    return {job.scene, job.camera, job.look, job.lamps, rooms, job.start_cell, job.mirror_floor};
+WalkedPixels<T, Rooms, LitPixel> lit_pixels(const PictureJob& job, const Rooms& rooms) {
+    return {{job.scene, job.camera, job.look, job.lamps, job.start_cell, job.mirror_floor}, rooms};
 }
 
 /// Anything.
