@@ -104,6 +104,10 @@ std::vector<Setting> schedules() {
     add("device-shape blocks256", {.shape = KernelShape::Blocks256});
     add("device-shape few-registers", {.shape = KernelShape::FewRegisters});
     add("device-shape least-registers", {.shape = KernelShape::LeastRegisters});
+    settings.push_back({"device-packets none", {}});
+    for (const PacketTiles tiles : {PacketTiles{8, 4}, PacketTiles{16, 4}, PacketTiles{64, 4}})
+        settings.push_back({"device-packets " + std::to_string(tiles.largest) + "-to-" + std::to_string(tiles.smallest),
+                            {.packets = tiles}});
     settings.push_back({"device-real float", {.precision = render::Precision::Float}});
     settings.push_back({"device-real double", {.precision = render::Precision::Double}});
     return settings;

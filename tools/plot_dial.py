@@ -46,6 +46,7 @@ DEVICES = {
     "device-work": "how warps share the work",
     "device-start": "how a frame is started",
     "device-shape": "threads of a block, registers",
+    "device-packets": "tiles by corner rays",
     "device-inside": "inside objects",
     "device-real": "a card walks in",
 }

@@ -7,6 +7,7 @@
 #include "accel/parallel_for.h"
 #include "render/cuda/device_objects.h"
 #include "render/cuda/octree_options.h"
+#include "render/cuda/packets.h"
 #include "render/cuda/pixel_order.h"
 #include "render/trace.h"
 
@@ -49,6 +50,9 @@ struct PictureOptions {
     float mirror_floor = 0;                           ///< share of light that floors reflect, 0 to 1
     std::optional<LampOptions> lamps = std::nullopt;  ///< nothing: a lamp at the eye
     PictureSchedule schedule = {};
+    /// Frames (`draw`) by tiles of corner rays, where these know all that is shown: one lamp at the eye, or in bare
+    /// rooms lamps with trees; in float. Pixels within the noise of an edge may differ (packets.h).
+    std::optional<PacketTiles> packets = std::nullopt;
     const accel::Executor* executor = nullptr;  ///< builds trees of objects and lamps; nullptr: all cores
 };
 

@@ -35,6 +35,12 @@ bool start(Device& device, const PictureJob& job, bool is_plain) {
     return false;
 }
 
+/// Whether corner rays of tiles know all that a frame shows.
+bool suits_packets(const PictureJob& job) {
+    if (job.is_double) return false;
+    return !job.has_lamps || (job.lamps.search == LampSearch::Tree && job.objects == nullptr);
+}
+
 }  // namespace
 
 struct Pictures::Parts {
@@ -131,7 +137,9 @@ void Pictures::draw(const CameraFrame& frame, accel::CellId start_cell, int widt
     job.has_lamps = p.options.lamps.has_value();
     if (job.has_lamps) job.lamps = p.lamps_of(*p.options.lamps);
     job.rgba = p.image.data();
-    p.ask_for(job, true);
+    if (!p.options.packets || !suits_packets(job)) return p.ask_for(job, true);
+    draw_packets(p.device, {&job.scene, frame, job.look, start_cell, job.mirror_floor, width, height, job.rgba,
+                            *p.options.packets, job.objects, job.has_lamps ? &job.lamps : nullptr});
 }
 
 const std::uint32_t* Pictures::image() const { return parts_->image.data(); }

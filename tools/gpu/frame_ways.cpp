@@ -72,7 +72,8 @@ public:
     Packets(Device& device, const FrameScene& scene, const FrameTask& task, render::cuda::PacketTiles tiles,
             InsideKind inside, const accel::Executor& executor)
         : device_(device), arrays_(device), scene_(copy_scene(scene.scene, arrays_)) {
-        if (task.with_objects) objects_.emplace(arrays_, scene.scene, scene_, inside, accel::OctreeOptions{}, executor);
+        if (task.with_objects)
+            objects_.emplace(arrays_, scene.scene, scene_, inside, render::cuda::device_octree_options(), executor);
         job_.objects = objects_ ? &*objects_ : nullptr;
         if (task.lamps) lamps_ = {copy_trees(scene.trees, arrays_), *task.lamps, scene.exposure};
         job_.lamps = task.lamps ? &lamps_ : nullptr;

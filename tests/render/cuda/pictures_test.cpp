@@ -23,6 +23,7 @@ TEST_P(DevicePictures, ShowTheFacesThatTheScalarTracerShows) {
     const accel::SerialExecutor one;
     const test::PictureJudge judge(scene.view());
     Pictures pictures(device(), scene.view());
+    Pictures by_packets(device(), scene.view(), {.packets = PacketTiles{}});
     test::PictureVerdict verdict;
     Framebuffer actual;
     for (const test::TryingCamera& trying : test::trying_cameras(scene.view(), 3)) {
@@ -30,9 +31,11 @@ TEST_P(DevicePictures, ShowTheFacesThatTheScalarTracerShows) {
         const accel::CellId start = start_cell(scene.view(), frame);
         Framebuffer expected(trying.camera.width, trying.camera.height);
         trace_lambert(scene.view(), frame, start, {.tracer = Tracer::Scalar}, one, expected);
-        pictures.draw(frame, start, trying.camera.width, trying.camera.height);
-        pictures.read(actual);
-        verdict.add(judge.compare(frame, start, expected, actual));
+        for (Pictures* drawn : {&pictures, &by_packets}) {
+            drawn->draw(frame, start, trying.camera.width, trying.camera.height);
+            drawn->read(actual);
+            verdict.add(judge.compare(frame, start, expected, actual));
+        }
     }
     EXPECT_TRUE(verdict.is_right()) << verdict.text();
     EXPECT_GT(verdict.pixels, 50'000u);
