@@ -11,42 +11,27 @@
 #include "render/octree_trees.h"
 #include "tests/support/devices.h"
 #include "tests/support/object_scenes.h"
+#include "tests/support/packets_drawn.h"
 #include "tests/support/trying_cameras.h"
 
 namespace enfilade::render::cuda {
 namespace {
 
-constexpr std::uint32_t poison = 0x00abcdefu;
-
 class FurnishedPackets : public test::DeviceTest {
 protected:
-    /// Of one picture: pixels that differ by more than a step of a channel, and that were not written.
-    struct Difference {
-        std::size_t pixels = 0, others = 0, unwritten = 0;
-        void add(const Difference& d) {
-            pixels += d.pixels;
-            others += d.others;
-            unwritten += d.unwritten;
-        }
-    };
-
-    Difference difference(const accel::SceneView& scene, const Camera& camera, InsideKind kind, float mirror_floor,
-                          PacketTiles tiles) {
+    /// One picture, counted in.
+    void draw(const accel::SceneView& scene, const Camera& camera, InsideKind kind, float mirror_floor,
+              PacketTiles tiles, test::PictureTally& all) {
         const accel::SerialExecutor here;
         DeviceArrays arrays(device());
         const accel::SceneView copy = copy_scene(scene, arrays);
         const DeviceObjects objects(arrays, scene, copy, kind, {}, here);
         const CameraFrame frame = make_frame(camera);
         const accel::CellId start = start_cell(scene, frame);
-        Framebuffer actual(camera.width, camera.height);
-        std::fill(actual.rgba.begin(), actual.rgba.end(), poison);
-        Buffer<std::uint32_t> image(device(), actual.rgba.size());
-        device().upload(image.data(), actual.rgba.data(), actual.rgba.size() * sizeof(std::uint32_t));
-        draw_packets(device(), {&copy, frame, lambert_look({}), start, mirror_floor, camera.width, camera.height,
-                                image.data(), tiles, &objects});
-        device().wait();
-        device().download(actual.rgba.data(), image.data(), actual.rgba.size() * sizeof(std::uint32_t));
-        return compare(scalar(scene, camera, kind, mirror_floor), actual);
+        const Framebuffer actual =
+            test::drawn_by_packets(device(), {&copy, frame, lambert_look({}), start, mirror_floor, camera.width,
+                                              camera.height, nullptr, tiles, &objects});
+        all.add(scalar(scene, camera, kind, mirror_floor), actual);
     }
 
     /// As the scalar tracer walks them, among the same trees.
@@ -72,32 +57,16 @@ protected:
         else draw(RoomsWith<decltype(objects.bvhs())>{objects.bvhs()});
         return result;
     }
-
-    static Difference compare(const Framebuffer& expected, const Framebuffer& actual) {
-        Difference difference;
-        difference.pixels = expected.rgba.size();
-        for (std::size_t i = 0; i < expected.rgba.size(); ++i) {
-            if (actual.rgba[i] == poison) ++difference.unwritten;
-            int most = 0;
-            for (int channel = 0; channel < 32; channel += 8) {
-                const int e = static_cast<int>(expected.rgba[i] >> channel & 255u);
-                const int a = static_cast<int>(actual.rgba[i] >> channel & 255u);
-                most = std::max({most, e - a, a - e});
-            }
-            if (most > 1) ++difference.others;
-        }
-        return difference;
-    }
 };
 ENFILADE_ON_DEVICES(FurnishedPackets);
 
 TEST_P(FurnishedPackets, ShowWhatTheScalarTracerShows) {
     for (const InsideKind kind : {InsideKind::Octree, InsideKind::Bvh}) {
         const accel::Scene scene = test::furnished_office({.seed = 7, .turn = 0.3});
-        Difference all;
+        test::PictureTally all;
         for (const test::TryingCamera& trying : test::trying_cameras(scene.view(), 3)) {
             if (trying.on_border || trying.name == "straight at a vertex") continue;
-            all.add(difference(scene.view(), trying.camera, kind, 0, {}));
+            draw(scene.view(), trying.camera, kind, 0, {}, all);
         }
         EXPECT_GT(all.pixels, 30'000u);
         EXPECT_LE(all.others, all.pixels / 10'000);
@@ -108,10 +77,10 @@ TEST_P(FurnishedPackets, ShowWhatTheScalarTracerShows) {
 TEST_P(FurnishedPackets, ShowItInMirrorsAndWithAnyTiles) {
     const accel::Scene scene = test::furnished_office({.seed = 8});
     for (const PacketTiles tiles : {PacketTiles{64, 8}, PacketTiles{8, 4}, PacketTiles{32, 32}}) {
-        Difference all;
+        test::PictureTally all;
         for (const test::TryingCamera& trying : test::trying_cameras(scene.view(), 4)) {
             if (trying.on_border || trying.name == "straight at a vertex") continue;
-            all.add(difference(scene.view(), trying.camera, InsideKind::Octree, 0.5f, tiles));
+            draw(scene.view(), trying.camera, InsideKind::Octree, 0.5f, tiles, all);
         }
         EXPECT_LE(all.others, all.pixels / 10'000) << tiles.largest;
         EXPECT_EQ(all.unwritten, 0u);
@@ -125,10 +94,10 @@ TEST_P(FurnishedPackets, ShowMoreObjectsThanBitsTell) {
     for (std::size_t c = 0; c < scene.view().cells.size(); ++c)
         most = std::max(most, scene.view().cell_object_offsets[c + 1] - scene.view().cell_object_offsets[c]);
     ASSERT_GT(most, 32u);
-    Difference all;
+    test::PictureTally all;
     for (const test::TryingCamera& trying : test::trying_cameras(scene.view(), 5)) {
         if (trying.on_border || trying.name == "straight at a vertex") continue;
-        all.add(difference(scene.view(), trying.camera, InsideKind::Octree, 0, {}));
+        draw(scene.view(), trying.camera, InsideKind::Octree, 0, {}, all);
     }
     EXPECT_LE(all.others, all.pixels / 10'000);
 }

@@ -12,22 +12,18 @@
 #include "render/lit_pixel.h"
 #include "tests/support/devices.h"
 #include "tests/support/lit_scene.h"
+#include "tests/support/packets_drawn.h"
 #include "tests/support/synthetic_scene.h"
 #include "tests/support/trying_cameras.h"
 
 namespace enfilade::render::cuda {
 namespace {
 
-constexpr std::uint32_t poison = 0x00abcdefu;
-
 class LitPackets : public test::DeviceTest {
 protected:
-    struct Difference {
-        std::size_t pixels = 0, others = 0, unwritten = 0, lit = 0;
-    };
-
     /// Pictures from the cameras of a seed: by packets, and by the scalar tracer's function, pixel by pixel.
-    Difference compare(const test::LitScene& lit, std::uint64_t seed, PacketTiles tiles, float mirror_floor = 0) {
+    test::PictureTally compare(const test::LitScene& lit, std::uint64_t seed, PacketTiles tiles,
+                               float mirror_floor = 0) {
         const accel::SerialExecutor here;
         const accel::SceneView scene = lit.view();
         const accel::LightTrees trees = accel::build_light_trees(scene, {}, here);
@@ -35,25 +31,16 @@ protected:
         DeviceArrays arrays(device());
         const accel::SceneView copy = copy_scene(scene, arrays);
         const Lamps on_device = {copy_trees(trees.view(), arrays), LampSearch::Tree, 0.05f};
-        std::unique_ptr<DeviceObjects> objects;
-        if (scene.has_objects())
-            objects =
-                std::make_unique<DeviceObjects>(arrays, scene, copy, InsideKind::Octree, accel::OctreeOptions{}, here);
-        Difference sum;
+        test::PictureTally sum;
         for (const test::TryingCamera& trying : test::trying_cameras(scene, seed)) {
             if (trying.on_border || trying.name == "straight at a vertex") continue;
             const Camera& camera = trying.camera;
             const CameraFrame frame = make_frame(camera);
             const accel::CellId start = start_cell(scene, frame);
-            Framebuffer actual(camera.width, camera.height);
-            std::fill(actual.rgba.begin(), actual.rgba.end(), poison);
-            Buffer<std::uint32_t> image(device(), actual.rgba.size());
-            device().upload(image.data(), actual.rgba.data(), actual.rgba.size() * sizeof(std::uint32_t));
-            draw_packets(device(), {&copy, frame, lambert_look({}), start, mirror_floor, camera.width, camera.height,
-                                    image.data(), tiles, nullptr, &on_device});
-            device().wait();
-            device().download(actual.rgba.data(), image.data(), actual.rgba.size() * sizeof(std::uint32_t));
-            add(expected(scene, lamps, frame, start, camera, mirror_floor), actual, sum);
+            const Framebuffer actual =
+                test::drawn_by_packets(device(), {&copy, frame, lambert_look({}), start, mirror_floor, camera.width,
+                                                  camera.height, nullptr, tiles, nullptr, &on_device});
+            sum.add(expected(scene, lamps, frame, start, camera, mirror_floor), actual);
         }
         return sum;
     }
@@ -71,22 +58,7 @@ protected:
         return result;
     }
 
-    static void add(const Framebuffer& expected, const Framebuffer& actual, Difference& sum) {
-        sum.pixels += expected.rgba.size();
-        for (std::size_t i = 0; i < expected.rgba.size(); ++i) {
-            if (actual.rgba[i] == poison) ++sum.unwritten;
-            if (expected.rgba[i] != 0xff000000u) ++sum.lit;
-            int most = 0;
-            for (int channel = 0; channel < 32; channel += 8) {
-                const int e = static_cast<int>(expected.rgba[i] >> channel & 255u);
-                const int a = static_cast<int>(actual.rgba[i] >> channel & 255u);
-                most = std::max({most, e - a, a - e});
-            }
-            if (most > 1) ++sum.others;
-        }
-    }
-
-    static void expect_right(const Difference& all) {
+    static void expect_right(const test::PictureTally& all) {
         EXPECT_GT(all.lit, all.pixels / 4);
         EXPECT_LE(all.others, all.pixels / 10'000) << "of " << all.pixels;
         EXPECT_EQ(all.unwritten, 0u);
