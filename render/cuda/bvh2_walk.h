@@ -141,7 +141,7 @@ private:
             events.tested_triangle();
             float t;
             if (ray_.meets(record, near_, hit_.t, t) &&
-                (!ray_.breaks_ties() || t < hit_.t || comes_first(bvh, record))) {
+                (!ray_.breaks_ties() || t < hit_.t || comes_first(bvh.records, record, instance_, hit_))) {
                 hit_ = {t, k, instance_};
                 if constexpr (any) {
                     at_ = done;
@@ -151,14 +151,6 @@ private:
             ++k;
         } while ((record.item & end_bit) == 0);
         return false;
-    }
-
-    /// Of triangles at one distance those of the object with the lowest number count, faces last; then the one with the
-    /// lowest number.
-    ENFILADE_HD bool comes_first(const Bvh2View& bvh, const RecordAt& record) const {
-        if (hit_.record == no_record) return true;
-        if (instance_ != hit_.instance) return instance_ < hit_.instance;
-        return (record.item & item_mask) < (bvh.records[hit_.record].item & item_mask);
     }
 
     template <class Events>

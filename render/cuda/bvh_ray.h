@@ -29,6 +29,16 @@ struct BvhHit {
     std::uint32_t instance;  ///< no_object: a face
 };
 
+/// Of triangles at one distance those of the object with the lowest number count, faces last; then the one with the
+/// lowest number. record, instance: met now; hit: before
+template <class Records>
+ENFILADE_HD bool comes_first(const Records& records, const RecordAt& record, std::uint32_t instance,
+                             const BvhHit& hit) {
+    if (hit.record == no_record) return true;
+    if (instance != hit.instance) return instance < hit.instance;
+    return (record.item & item_mask) < (records[hit.record].item & item_mask);
+}
+
 /// Where things lie that a space's rays may meet: what Watertight widens boxes by depends on it.
 struct BvhExtent {
     float low[3], high[3];

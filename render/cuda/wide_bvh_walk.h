@@ -206,7 +206,7 @@ private:
             events.tested_triangle();
             float t;
             if (ray_.meets(record, near_, hit_.t, t) &&
-                (!ray_.breaks_ties() || t < hit_.t || comes_first(bvh, record))) {
+                (!ray_.breaks_ties() || t < hit_.t || comes_first(bvh.records, record, instance_, hit_))) {
                 hit_ = {t, number, instance_};
                 if constexpr (any) {
                     is_done_ = true;
@@ -220,13 +220,6 @@ private:
     ENFILADE_HD void push_nodes(Stack& waiting, Events& events) {
         if (nodes_.has_nodes()) push(nodes_, waiting, events);
         nodes_ = {0, 0};
-    }
-
-    /// As of Bvh2Walk.
-    ENFILADE_HD bool comes_first(const WideBvhView& bvh, const RecordAt& record) const {
-        if (hit_.record == no_record) return true;
-        if (instance_ != hit_.instance) return instance_ < hit_.instance;
-        return (record.item & item_mask) < (bvh.records[hit_.record].item & item_mask);
     }
 
     template <class Events>
